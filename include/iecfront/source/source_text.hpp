@@ -1,0 +1,45 @@
+#pragma once
+
+#include <iecfront/export.hpp>
+#include <iecfront/source/encoding.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace iecfront {
+
+/// The bytes of one source file, with the name to report them under. Immutable; copies share the
+/// bytes, and so may be handed to several threads.
+class IECFRONT_API SourceText {
+public:
+    /// The largest text that can be read, in bytes: 4 GiB minus 1. Offsets are 32 bits wide.
+    static constexpr std::uint64_t maximum_size = std::numeric_limits<std::uint32_t>::max();
+
+    /// Takes over `bytes`. `name` is what diagnostics call the file; it is never opened. A text
+    /// above `maximum_size` is refused: it becomes empty and `too_large()`, and parsing it gives
+    /// the diagnostic `source-too-large`.
+    explicit SourceText(std::string bytes, std::string name = {},
+                        Encoding encoding = Encoding::utf8);
+
+    /// All bytes, a byte order mark included. A zero byte stands behind the last one.
+    [[nodiscard]] std::string_view bytes() const noexcept { return *buffer_; }
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    [[nodiscard]] Encoding encoding() const noexcept { return encoding_; }
+    [[nodiscard]] bool too_large() const noexcept { return too_large_; }
+
+    /// The shared bytes themselves, for whoever keeps views into them.
+    [[nodiscard]] const std::shared_ptr<const std::string>& buffer() const noexcept {
+        return buffer_;
+    }
+
+private:
+    std::shared_ptr<const std::string> buffer_;
+    std::string name_;
+    Encoding encoding_;
+    bool too_large_ = false;
+};
+
+} // namespace iecfront

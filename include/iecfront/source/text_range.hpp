@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace iecfront {
+
+/// A half-open stretch of source text, `[begin, end)`, counted in bytes from 0. What it is
+/// relative to (a file, a unit, a literal) is said where it is used.
+struct TextRange {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+
+    [[nodiscard]] constexpr std::uint32_t size() const noexcept { return end - begin; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return begin == end; }
+
+    /// True when the byte at `offset` lies inside.
+    [[nodiscard]] constexpr bool contains(std::uint32_t offset) const noexcept {
+        return begin <= offset && offset < end;
+    }
+    [[nodiscard]] constexpr bool contains(TextRange other) const noexcept {
+        return begin <= other.begin && other.end <= end;
+    }
+    /// The same stretch, `distance` bytes further on: from unit-relative to file-relative.
+    [[nodiscard]] constexpr TextRange shifted(std::uint32_t distance) const noexcept {
+        return {begin + distance, end + distance};
+    }
+
+    friend constexpr bool operator==(TextRange, TextRange) noexcept = default;
+};
+
+/// Puts `replacement` in the place of the bytes in `range`. An empty range inserts.
+struct TextEdit {
+    TextRange range;
+    std::string replacement;
+
+    friend bool operator==(const TextEdit&, const TextEdit&) = default;
+};
+
+} // namespace iecfront
