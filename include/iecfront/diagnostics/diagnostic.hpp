@@ -55,8 +55,8 @@ struct DiagnosticInfo {
 [[nodiscard]] IECFRONT_API std::span<const DiagnosticInfo> diagnostic_catalogue() noexcept;
 
 /// Finds a row by `IEC2006` or `missing-semicolon`, in any case; null when there is none.
-[[nodiscard]] IECFRONT_API const DiagnosticInfo* find_diagnostic(std::string_view code_or_name)
-    noexcept;
+[[nodiscard]] IECFRONT_API const DiagnosticInfo*
+find_diagnostic(std::string_view code_or_name) noexcept;
 
 /// `IEC2006`.
 [[nodiscard]] IECFRONT_API std::string code_string(DiagnosticId id);

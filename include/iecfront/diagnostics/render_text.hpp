@@ -12,8 +12,8 @@ namespace iecfront {
 
 /// How diagnostics look as text.
 struct TextStyle {
-    bool colour = false;  ///< ANSI escape sequences
-    bool snippet = true;  ///< the source line with carets, labels and the first fix below it
+    bool colour = false; ///< ANSI escape sequences
+    bool snippet = true; ///< the source line with carets, labels and the first fix below it
 };
 
 /// Appends `diagnostic`, whose ranges count from the start of `source`, to `out`: one clickable

@@ -28,8 +28,8 @@ struct IntegerValue {
 /// A real literal: `3.14`, `LREAL#1.0E-3` (B.1.2.1).
 struct RealValue {
     std::optional<TokenKind> type; ///< kw_real or kw_lreal
-    bool overflow = false;         ///< beyond its type (LREAL when it has none); `value` is infinite
-    double value = 0;              ///< correctly rounded to its type
+    bool overflow = false; ///< beyond its type (LREAL when it has none); `value` is infinite
+    double value = 0;      ///< correctly rounded to its type
 };
 
 /// A duration, `T#…` or `TIME#…` (B.1.2.3.1).
@@ -89,24 +89,24 @@ struct DirectVariableValue {
 [[nodiscard]] IECFRONT_API std::optional<DurationValue> duration_value(std::string_view text);
 [[nodiscard]] IECFRONT_API std::optional<DateValue> date_value(std::string_view text);
 [[nodiscard]] IECFRONT_API std::optional<TimeOfDayValue> time_of_day_value(std::string_view text);
-[[nodiscard]] IECFRONT_API std::optional<DateAndTimeValue> date_and_time_value(
-    std::string_view text);
+[[nodiscard]] IECFRONT_API std::optional<DateAndTimeValue>
+date_and_time_value(std::string_view text);
 [[nodiscard]] IECFRONT_API std::optional<StringValue> string_value(std::string_view text,
                                                                    Encoding encoding);
-[[nodiscard]] IECFRONT_API std::optional<DirectVariableValue> direct_variable_value(
-    std::string_view text);
+[[nodiscard]] IECFRONT_API std::optional<DirectVariableValue>
+direct_variable_value(std::string_view text);
 
 /// The two names of an enumerated value `type#value`; `type` is empty for an unqualified one.
 struct EnumeratedValueName {
     std::string_view type;
     std::string_view value;
 };
-[[nodiscard]] IECFRONT_API EnumeratedValueName split_enumerated_value(std::string_view text) noexcept;
+[[nodiscard]] IECFRONT_API EnumeratedValueName
+split_enumerated_value(std::string_view text) noexcept;
 
 /// Every fault of a literal, as the lexer reports them; ranges count from the start of `text`.
 /// `kind` is the kind of its token. Empty when it is well-formed.
-[[nodiscard]] IECFRONT_API std::vector<Diagnostic> check_literal(TokenKind kind,
-                                                                 std::string_view text,
-                                                                 Encoding encoding);
+[[nodiscard]] IECFRONT_API std::vector<Diagnostic>
+check_literal(TokenKind kind, std::string_view text, Encoding encoding);
 
 } // namespace iecfront

@@ -8,7 +8,8 @@
 
 namespace iecfront {
 
-/// What a token is: a keyword, a delimiter, or one of the kinds with varying text. See `tokens.def`.
+/// What a token is: a keyword, a delimiter, or one of the kinds with varying text. See
+/// `tokens.def`.
 enum class TokenKind : std::uint8_t {
 #define IECFRONT_KEYWORD(enumerator, spelling) enumerator,
 #define IECFRONT_DELIMITER(enumerator, spelling) enumerator,
@@ -50,9 +51,10 @@ public:
     /// `length <= maximum_length`.
     constexpr Token(TokenKind kind, std::uint32_t offset, std::uint32_t length,
                     bool first_on_line = false, bool malformed = false) noexcept
-        : offset_(offset), rest_(length | (first_on_line ? first_on_line_bit : 0U) |
-                                 (malformed ? malformed_bit : 0U) |
-                                 (static_cast<std::uint32_t>(kind) << kind_shift)) {}
+        : offset_(offset),
+          rest_(length | (first_on_line ? first_on_line_bit : 0U) |
+                (malformed ? malformed_bit : 0U) |
+                (static_cast<std::uint32_t>(kind) << kind_shift)) {}
 
     [[nodiscard]] constexpr TokenKind kind() const noexcept {
         return static_cast<TokenKind>(rest_ >> kind_shift);

@@ -33,8 +33,8 @@ struct DecodedCharacter {
 [[nodiscard]] IECFRONT_API std::string_view to_string(Encoding encoding) noexcept;
 
 /// Finds an encoding by name, in any case; also `utf8`, `latin-1`, `latin1`, `cp1252`.
-[[nodiscard]] IECFRONT_API std::optional<Encoding> encoding_from_string(
-    std::string_view name) noexcept;
+[[nodiscard]] IECFRONT_API std::optional<Encoding>
+encoding_from_string(std::string_view name) noexcept;
 
 /// The size of the UTF-8 byte order mark at the start of `text`: 3, or 0 when there is none (always
 /// 0 in another encoding). The mark counts as white space.

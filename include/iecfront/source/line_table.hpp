@@ -46,7 +46,9 @@ private:
     std::vector<std::uint32_t> starts_; // of every line but the first
 };
 
-/// 1-based column of `offset` in the line that begins at `line_start`, both counted in `text`.
+/// 1-based column of `offset` in the line that begins at `line_start`, both counted in `text`. An
+/// offset inside a character has that character's column. A byte order mark at the start of `text`
+/// takes no column, except in bytes: editors do not show it.
 [[nodiscard]] IECFRONT_API std::uint32_t column_of(std::string_view text, std::uint32_t line_start,
                                                    std::uint32_t offset, Encoding encoding,
                                                    ColumnUnit unit) noexcept;

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <iecfront/ast/node.hpp>
+#include <iecfront/ast/types.hpp>
+#include <iecfront/ast/variables.hpp>
+#include <iecfront/export.hpp>
+
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+
+/// Program organization units (B.1.5).
+namespace iecfront::ast {
+
+/// `FUNCTION name : type ... END_FUNCTION` (B.1.5.1).
+struct FunctionDeclaration : LibraryElement {
+    static constexpr NodeKind node_kind = NodeKind::function_declaration;
+    FunctionDeclaration() noexcept : LibraryElement(node_kind) {}
+    const Identifier* name = nullptr;
+    const TypeSpecification* result_type = nullptr;
+    List<VariableDeclarations> declarations;
+    const Body* body = nullptr;
+
+    static constexpr auto members() {
+        return std::tuple{MemberDescription{"name", &FunctionDeclaration::name},
+                          MemberDescription{"result_type", &FunctionDeclaration::result_type},
+                          MemberDescription{"declarations", &FunctionDeclaration::declarations},
+                          MemberDescription{"body", &FunctionDeclaration::body}};
+    }
+};
+
+/// `FUNCTION_BLOCK name ... END_FUNCTION_BLOCK` (B.1.5.2).
+struct FunctionBlockDeclaration : LibraryElement {
+    static constexpr NodeKind node_kind = NodeKind::function_block_declaration;
+    FunctionBlockDeclaration() noexcept : LibraryElement(node_kind) {}
+    const Identifier* name = nullptr;
+    List<VariableDeclarations> declarations;
+    const Body* body = nullptr;
+
+    static constexpr auto members() {
+        return std::tuple{
+            MemberDescription{"name", &FunctionBlockDeclaration::name},
+            MemberDescription{"declarations", &FunctionBlockDeclaration::declarations},
+            MemberDescription{"body", &FunctionBlockDeclaration::body}};
+    }
+};
+
+/// `PROGRAM name ... END_PROGRAM` (B.1.5.3).
+struct ProgramDeclaration : LibraryElement {
+    static constexpr NodeKind node_kind = NodeKind::program_declaration;
+    ProgramDeclaration() noexcept : LibraryElement(node_kind) {}
+    const Identifier* name = nullptr;
+    List<VariableDeclarations> declarations;
+    const Body* body = nullptr;
+
+    static constexpr auto members() {
+        return std::tuple{MemberDescription{"name", &ProgramDeclaration::name},
+                          MemberDescription{"declarations", &ProgramDeclaration::declarations},
+                          MemberDescription{"body", &ProgramDeclaration::body}};
+    }
+};
+
+/// The languages a body can be written in (1.4.3).
+enum class BodyLanguage : std::uint8_t {
+    structured_text,
+    instruction_list,
+    sequential_function_chart
+};
+
+/// `structured_text`, `instruction_list` or `sequential_function_chart`.
+[[nodiscard]] IECFRONT_API std::string_view to_string(BodyLanguage language) noexcept;
+
+/// A body in a language that this version does not examine, kept whole. A diagnostic says so.
+struct UnexaminedBody : Body {
+    static constexpr NodeKind node_kind = NodeKind::unexamined_body;
+    UnexaminedBody() noexcept : Body(node_kind) {}
+    BodyLanguage language = BodyLanguage::instruction_list;
+
+    static constexpr auto members() {
+        return std::tuple{MemberDescription{"language", &UnexaminedBody::language}};
+    }
+};
+
+} // namespace iecfront::ast

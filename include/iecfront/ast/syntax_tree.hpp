@@ -1,0 +1,87 @@
+#pragma once
+
+#include <iecfront/ast/nodes.hpp>
+#include <iecfront/ast/unit.hpp>
+#include <iecfront/diagnostics/diagnostic.hpp>
+#include <iecfront/export.hpp>
+#include <iecfront/source/line_table.hpp>
+#include <iecfront/source/source_text.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace iecfront {
+
+/// What can be set about parsing.
+struct ParseOptions {
+    /// How deep parentheses, statements and initial values can nest. What is nested deeper is kept
+    /// but not examined, and reported (`nesting-too-deep`; Annex D, 3.3.1 and 3.3.2). Bounds the
+    /// stack that parsing needs: about 1 kB a level in a Release build.
+    std::uint32_t maximum_nesting = 256;
+
+    friend bool operator==(const ParseOptions&, const ParseOptions&) = default;
+};
+
+/// A file as a row of units. A value that is cheap to copy: copies share the units. Immutable, and
+/// so free to be used by several threads.
+class IECFRONT_API SyntaxTree {
+public:
+    /// Where a unit stands in the file.
+    struct Slot {
+        std::uint32_t offset = 0;     ///< of the unit's first byte, from the start of the file
+        std::uint32_t first_line = 0; ///< 0-based line that holds that byte
+        std::shared_ptr<const Unit> unit;
+    };
+
+    /// Puts units in a row; `parse` and `edited` do that. There is at least one unit, and the texts
+    /// of all together are the text of `source`.
+    SyntaxTree(SourceText source, std::vector<std::shared_ptr<const Unit>> units,
+               ParseOptions options);
+
+    /// The units in file order, at least one. They tile the file byte for byte.
+    [[nodiscard]] std::span<const Slot> slots() const noexcept { return *slots_; }
+
+    /// The text, as it is in this version.
+    [[nodiscard]] const SourceText& source() const noexcept { return source_; }
+    [[nodiscard]] const ParseOptions& options() const noexcept { return options_; }
+
+    /// The slot whose unit holds the byte at `offset` of the file; at the end of text the last one.
+    [[nodiscard]] const Slot& slot_at(std::uint32_t offset) const noexcept;
+
+    /// Line and column of an offset in the file, `offset <= source().bytes().size()`.
+    [[nodiscard]] Position position(std::uint32_t offset,
+                                    ColumnUnit unit = ColumnUnit::code_points) const noexcept;
+    /// The inverse. A line behind the last one gives the end of text.
+    [[nodiscard]] std::uint32_t offset(Position position,
+                                       ColumnUnit unit = ColumnUnit::code_points) const noexcept;
+
+    /// All findings in source order; ranges count from the start of the file.
+    [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
+
+    /// The way from the root of a unit to the innermost node that holds the byte at `offset`. Empty
+    /// `nodes` never: the root is always there.
+    struct Path {
+        const Slot* slot;
+        std::vector<const ast::Node*> nodes; ///< outermost first
+    };
+    [[nodiscard]] Path node_at(std::uint32_t offset) const;
+
+    /// The tree of the text in which `replacement` stands in the place of the bytes in `range`.
+    /// Only units that the edit can touch are read again, the others are shared. Always equal to
+    /// parsing the new text.
+    [[nodiscard]] SyntaxTree edited(TextRange range, std::string_view replacement) const;
+
+private:
+    SourceText source_;
+    std::shared_ptr<const std::vector<Slot>> slots_;
+    ParseOptions options_;
+};
+
+/// True when both have the same text and equal units.
+[[nodiscard]] IECFRONT_API bool operator==(const SyntaxTree& a, const SyntaxTree& b);
+
+} // namespace iecfront

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <iecfront/ast/arena.hpp>
+#include <iecfront/ast/node.hpp>
+#include <iecfront/diagnostics/diagnostic.hpp>
+#include <iecfront/export.hpp>
+#include <iecfront/lexer/token.hpp>
+#include <iecfront/source/encoding.hpp>
+#include <iecfront/source/line_table.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace iecfront {
+
+/// A self-contained piece of a file: one library element declaration (B.0) with the white space,
+/// comments and pragmas before it; the last unit of a file also holds what follows. Immutable.
+/// Everything in it counts from its own start, so that it stays as it is when the text before it
+/// changes, and can be shared by the trees of several versions of a file, and by threads.
+class IECFRONT_API Unit {
+public:
+    /// What a unit is made of. The parser fills it in.
+    struct Parts {
+        std::shared_ptr<const std::string> buffer; ///< owns `text`
+        std::string_view text;
+        Encoding encoding = Encoding::utf8;
+        Arena arena; ///< owns tokens, trivia and nodes
+        std::span<const Token> tokens;
+        std::span<const Trivia> trivia;
+        const ast::LibraryUnit* root = nullptr;
+        std::vector<Diagnostic> diagnostics;
+        bool depends_on_rest = false;
+    };
+    explicit Unit(Parts parts);
+
+    /// All bytes of the unit.
+    [[nodiscard]] std::string_view text() const noexcept { return parts_.text; }
+    [[nodiscard]] Encoding encoding() const noexcept { return parts_.encoding; }
+
+    /// In source order; without white space, comments and pragmas.
+    [[nodiscard]] std::span<const Token> tokens() const noexcept { return parts_.tokens; }
+    /// Comments and pragmas, in source order.
+    [[nodiscard]] std::span<const Trivia> trivia() const noexcept { return parts_.trivia; }
+    [[nodiscard]] const ast::LibraryUnit& root() const noexcept { return *parts_.root; }
+    /// What was found in this unit, ordered by position; ranges count from the start of the unit.
+    [[nodiscard]] std::span<const Diagnostic> diagnostics() const noexcept {
+        return parts_.diagnostics;
+    }
+    /// True when a comment or pragma in this unit is never closed, so that text behind the unit
+    /// could change it.
+    [[nodiscard]] bool depends_on_rest() const noexcept { return parts_.depends_on_rest; }
+
+    /// Where the lines of the unit's text begin.
+    [[nodiscard]] const LineTable& lines() const noexcept { return lines_; }
+
+    /// The bytes from the first to the last token of `node`, with the trivia between them; for a
+    /// node without tokens the empty range behind the token before it.
+    [[nodiscard]] TextRange range(const ast::Node& node) const noexcept;
+
+    [[nodiscard]] std::string_view text(TextRange range) const noexcept {
+        return parts_.text.substr(range.begin, range.size());
+    }
+    [[nodiscard]] std::string_view text(Token token) const noexcept { return text(token.range()); }
+    [[nodiscard]] std::string_view text(const ast::Node& node) const noexcept {
+        return text(range(node));
+    }
+
+    /// Bytes of memory that the unit holds beside its text.
+    [[nodiscard]] std::size_t memory_bytes() const noexcept;
+
+private:
+    Parts parts_;
+    LineTable lines_;
+};
+
+/// True when both have the same text, tokens, trivia, nodes and diagnostics.
+[[nodiscard]] IECFRONT_API bool operator==(const Unit& a, const Unit& b);
+
+} // namespace iecfront
