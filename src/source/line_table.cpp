@@ -1,0 +1,119 @@
+#include <iecfront/source/line_table.hpp>
+
+#include <algorithm>
+#include <cstring>
+
+namespace iecfront {
+namespace {
+
+constexpr std::size_t word_size = sizeof(std::uint64_t);
+constexpr std::uint64_t ones = 0x0101010101010101U;
+constexpr std::uint64_t high_bits = 0x8080808080808080U;
+
+[[nodiscard]] std::uint64_t load_word(const char* bytes) noexcept {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes, word_size);
+    return word;
+}
+
+// The well-known test for a zero byte, on the word with the sought byte turned into zero.
+[[nodiscard]] constexpr bool holds_byte(std::uint64_t word, unsigned char byte) noexcept {
+    const std::uint64_t difference = word ^ (ones * byte);
+    return ((difference - ones) & ~difference & high_bits) != 0;
+}
+
+[[nodiscard]] constexpr bool is_line_end(char c) noexcept {
+    return c == '\n' || c == '\r';
+}
+
+// Offset of the next LF or CR at or after `offset`, or the size of the text. Eight bytes at a time:
+// most bytes of a source end no line.
+[[nodiscard]] std::size_t find_line_end(std::string_view text, std::size_t offset) noexcept {
+    while (text.size() - offset >= word_size) {
+        const std::uint64_t word = load_word(text.data() + offset);
+        if (holds_byte(word, '\n') || holds_byte(word, '\r'))
+            break;
+        offset += word_size;
+    }
+    while (offset < text.size() && !is_line_end(text[offset]))
+        ++offset;
+    return offset;
+}
+
+[[nodiscard]] std::uint32_t width_of(const DecodedCharacter& character, ColumnUnit unit) noexcept {
+    return unit == ColumnUnit::utf16_units && character.code_point > 0xFFFF ? 2 : 1;
+}
+
+// True when the next eight bytes of [offset, end) are eight ASCII characters: eight columns in any
+// unit.
+[[nodiscard]] bool eight_ascii(std::string_view text, std::size_t offset,
+                               std::size_t end) noexcept {
+    return end - offset >= word_size && (load_word(text.data() + offset) & high_bits) == 0;
+}
+
+// Where the columns of a line are counted from. A byte order mark has none: no editor shows it.
+[[nodiscard]] std::size_t first_column_offset(std::string_view text, std::uint32_t line_start,
+                                              Encoding encoding) noexcept {
+    return line_start == 0 ? byte_order_mark_size(text, encoding) : line_start;
+}
+
+} // namespace
+
+LineTable::LineTable(std::string_view text) {
+    for (std::size_t at = find_line_end(text, 0); at < text.size(); at = find_line_end(text, at)) {
+        const bool two_bytes = text[at] == '\r' && at + 1 < text.size() && text[at + 1] == '\n';
+        at += two_bytes ? 2 : 1;
+        starts_.push_back(static_cast<std::uint32_t>(at));
+    }
+}
+
+std::uint32_t LineTable::line_of(std::uint32_t offset) const noexcept {
+    const auto behind = std::upper_bound(starts_.begin(), starts_.end(), offset);
+    return static_cast<std::uint32_t>(behind - starts_.begin());
+}
+
+std::uint32_t LineTable::line_start(std::uint32_t line) const noexcept {
+    return line == 0 ? 0 : starts_[line - 1];
+}
+
+std::uint32_t column_of(std::string_view text, std::uint32_t line_start, std::uint32_t offset,
+                        Encoding encoding, ColumnUnit unit) noexcept {
+    if (unit == ColumnUnit::bytes)
+        return offset - line_start + 1;
+    const std::size_t end = std::min<std::size_t>(offset, text.size());
+    std::uint32_t column = 1;
+    std::size_t at = first_column_offset(text, line_start, encoding);
+    while (at < end) {
+        if (eight_ascii(text, at, end)) {
+            at += word_size;
+            column += word_size;
+            continue;
+        }
+        const DecodedCharacter character = decode_character(text, at, encoding);
+        at += character.size;
+        if (at <= end) // else `offset` lies inside this character, and has its column
+            column += width_of(character, unit);
+    }
+    return column;
+}
+
+std::uint32_t offset_of_column(std::string_view text, std::uint32_t line_start,
+                               std::uint32_t column, Encoding encoding, ColumnUnit unit) noexcept {
+    const std::size_t line_end = find_line_end(text, line_start);
+    if (unit == ColumnUnit::bytes)
+        return static_cast<std::uint32_t>(
+            std::min<std::uint64_t>(line_end, std::uint64_t{line_start} + column - 1));
+    std::uint32_t left = column - 1;
+    std::size_t at = first_column_offset(text, line_start, encoding);
+    while (left > 0 && at < line_end) {
+        const DecodedCharacter character = decode_character(text, at, encoding);
+        const std::uint32_t width = width_of(character, unit);
+        if (width > left) // the second half of a surrogate pair
+            break;
+        left -= width;
+        at += character.size;
+    }
+    return static_cast<std::uint32_t>(at);
+}
+
+} // namespace iecfront
