@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iecfront/export.hpp>
+#include <iecfront/source/encoding.hpp>
 #include <iecfront/source/text_range.hpp>
 
 #include <cstdint>
@@ -73,8 +74,8 @@ enum class LabelId : std::uint8_t {
 #include <iecfront/diagnostics/diagnostics.def>
 };
 
-/// A value for a `{n}` of a message: words of the source or of the language (UTF-8 or the bytes of
-/// the source, as they stand; renderers make broken bytes visible), a number, or a character.
+/// A value for a `{n}` of a message: words of the source (its bytes as they stand there, in its
+/// encoding) or of the language (ASCII), a number, or a character.
 using DiagnosticArgument = std::variant<std::string, std::uint64_t, char32_t>;
 
 /// A second place that explains a diagnostic.
@@ -109,15 +110,20 @@ struct Diagnostic {
 /// The same finding `distance` bytes further on, with all its labels and fixes.
 [[nodiscard]] IECFRONT_API Diagnostic shifted(Diagnostic diagnostic, std::uint32_t distance);
 
-/// The message in words: the row's text with its arguments put in.
-[[nodiscard]] IECFRONT_API std::string message(const Diagnostic& diagnostic);
+/// The message in words: the row's text with its arguments put in. The result is UTF-8 on one line;
+/// what cannot be seen is spelled out (`\x1B`), and a long argument loses its middle. `encoding` is
+/// that of the source.
+[[nodiscard]] IECFRONT_API std::string message(const Diagnostic& diagnostic,
+                                               Encoding encoding = Encoding::utf8);
 
 /// The words of a label.
-[[nodiscard]] IECFRONT_API std::string message(const DiagnosticLabel& label);
+[[nodiscard]] IECFRONT_API std::string message(const DiagnosticLabel& label,
+                                               Encoding encoding = Encoding::utf8);
 
 /// What a fix does, in words: "insert `;`", "replace `=` by `:=`", "remove `;`". `source` is the
 /// text that the edits refer to.
 [[nodiscard]] IECFRONT_API std::string description(const DiagnosticFix& fix,
-                                                   std::string_view source);
+                                                   std::string_view source,
+                                                   Encoding encoding = Encoding::utf8);
 
 } // namespace iecfront
