@@ -37,22 +37,27 @@ public:
         std::shared_ptr<const Unit> unit;
     };
 
-    /// Puts units in a row; `parse` and `edited` do that. There is at least one unit, and the texts
-    /// of all together are the text of `source`.
-    SyntaxTree(SourceText source, std::vector<std::shared_ptr<const Unit>> units,
-               ParseOptions options);
+    /// Puts units in a row; `parse` and `edited` do that. There is at least one unit, and all have
+    /// `encoding`. `name` is what diagnostics call the file.
+    SyntaxTree(std::string name, Encoding encoding, std::vector<std::shared_ptr<const Unit>> units,
+               const ParseOptions& options);
 
     /// The units in file order, at least one. They tile the file byte for byte.
     [[nodiscard]] std::span<const Slot> slots() const noexcept { return *slots_; }
 
-    /// The text, as it is in this version.
-    [[nodiscard]] const SourceText& source() const noexcept { return source_; }
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    [[nodiscard]] Encoding encoding() const noexcept { return encoding_; }
+    /// Bytes in the file.
+    [[nodiscard]] std::uint32_t size() const noexcept { return size_; }
+    /// The text in this version of the file. Shared with the text that was parsed; put together
+    /// anew at each call for a tree that was edited.
+    [[nodiscard]] SourceText source() const;
     [[nodiscard]] const ParseOptions& options() const noexcept { return options_; }
 
     /// The slot whose unit holds the byte at `offset` of the file; at the end of text the last one.
     [[nodiscard]] const Slot& slot_at(std::uint32_t offset) const noexcept;
 
-    /// Line and column of an offset in the file, `offset <= source().bytes().size()`.
+    /// Line and column of an offset in the file, `offset <= size()`.
     [[nodiscard]] Position position(std::uint32_t offset,
                                     ColumnUnit unit = ColumnUnit::code_points) const noexcept;
     /// The inverse. A line behind the last one gives the end of text.
@@ -76,7 +81,9 @@ public:
     [[nodiscard]] SyntaxTree edited(TextRange range, std::string_view replacement) const;
 
 private:
-    SourceText source_;
+    std::string name_;
+    Encoding encoding_;
+    std::uint32_t size_ = 0;
     std::shared_ptr<const std::vector<Slot>> slots_;
     ParseOptions options_;
 };

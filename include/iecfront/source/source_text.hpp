@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace iecfront {
 
@@ -23,6 +24,12 @@ public:
     /// the diagnostic `source-too-large`.
     explicit SourceText(std::string bytes, std::string name = {},
                         Encoding encoding = Encoding::utf8);
+
+    /// A text over bytes that are shared already; `buffer` is not null and not above
+    /// `maximum_size`.
+    explicit SourceText(std::shared_ptr<const std::string> buffer, std::string name = {},
+                        Encoding encoding = Encoding::utf8)
+        : buffer_(std::move(buffer)), name_(std::move(name)), encoding_(encoding) {}
 
     /// All bytes, a byte order mark included. A zero byte stands behind the last one.
     [[nodiscard]] std::string_view bytes() const noexcept { return *buffer_; }
