@@ -21,11 +21,12 @@ public:
     Arena() = default;
     /// Gets its first chunk, of `first_chunk` bytes, at the first allocation.
     explicit Arena(std::size_t first_chunk) noexcept : next_chunk_(first_chunk) {}
-    Arena(Arena&&) noexcept = default;
-    Arena& operator=(Arena&&) noexcept = default;
+    /// Takes over all memory; `other` is then a new arena.
+    Arena(Arena&& other) noexcept;
+    Arena& operator=(Arena&& other) noexcept;
 
-    /// Memory for `size` bytes, aligned to `alignment` (a power of two, at most that of
-    /// `std::max_align_t`). Never null; running out of memory ends the program, as `new` does.
+    /// Memory for `size` bytes, at least one, aligned to `alignment` (a power of two, at most that
+    /// of `std::max_align_t`). Never null; running out of memory ends the program, as `new` does.
     [[nodiscard]] void* allocate(std::size_t size, std::size_t alignment) {
         std::size_t begin = (used_ + alignment - 1) & ~(alignment - 1);
         if (begin + size > capacity_) {

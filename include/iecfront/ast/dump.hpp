@@ -24,11 +24,4 @@ namespace iecfront {
 /// it is a leaf.
 [[nodiscard]] IECFRONT_API std::string dump_json(const SyntaxTree& tree);
 
-namespace ast {
-
-/// True when both trees have the same nodes over the same token numbers, with equal members.
-[[nodiscard]] IECFRONT_API bool equal(const Node& a, const Node& b);
-
-} // namespace ast
-
 } // namespace iecfront

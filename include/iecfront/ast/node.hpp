@@ -50,6 +50,16 @@ protected:
     constexpr explicit Node(NodeKind node_kind) noexcept : kind(node_kind) {}
 };
 
+/// A member of a node struct, by name. `Node::members()` of each struct gives them all, in source
+/// order; walking, dumping and comparing derive from it.
+template<class Struct, class Member>
+struct MemberDescription {
+    std::string_view name;
+    Member Struct::*pointer;
+};
+template<class Struct, class Member>
+MemberDescription(std::string_view, Member Struct::*) -> MemberDescription<Struct, Member>;
+
 /// Something with a value (B.3.1): constants, variables, operations; and the aggregates of initial
 /// values (B.1.3.3).
 struct Expression : Node {
@@ -61,6 +71,10 @@ struct Constant : Expression {
     std::uint32_t literal_token = 0; ///< the literal itself, behind its sign
     /// True when a sign stands before the literal as a token of its own, as in `-5`.
     [[nodiscard]] bool has_sign() const noexcept { return first_token != literal_token; }
+
+    static constexpr auto members() {
+        return std::tuple{MemberDescription{"literal_token", &Constant::literal_token}};
+    }
 
 protected:
     using Expression::Expression;
@@ -113,23 +127,15 @@ private:
     std::uint32_t size_ = 0;
 };
 
-/// A member of a node struct, by name. `Node::members()` of each struct gives them all, in source
-/// order; walking, dumping and comparing derive from it.
-template<class Struct, class Member>
-struct MemberDescription {
-    std::string_view name;
-    Member Struct::*pointer;
-};
-template<class Struct, class Member>
-MemberDescription(std::string_view, Member Struct::*) -> MemberDescription<Struct, Member>;
-
 /// A name (B.1.1). When it `is missing`, no token stands for it. Spelling: `Unit::text(node)`.
 struct Identifier : Node {
     static constexpr NodeKind node_kind = NodeKind::identifier;
     Identifier() noexcept : Node(node_kind) {}
     std::uint32_t hash = 0; ///< of the case-folded spelling, see `hash_name`; 0 when missing
 
-    static constexpr auto members() { return std::tuple{}; }
+    static constexpr auto members() {
+        return std::tuple{MemberDescription{"hash", &Identifier::hash}};
+    }
 };
 
 /// Tokens that fit nowhere; the diagnostics say why.

@@ -9,7 +9,10 @@
 #include <iecfront/ast/st.hpp>
 #include <iecfront/ast/types.hpp>
 #include <iecfront/ast/variables.hpp>
+#include <iecfront/export.hpp>
 
+#include <string_view>
+#include <tuple>
 #include <type_traits>
 
 /// All node structs, and the means that work on any of them.
@@ -45,25 +48,45 @@ template<class T>
     return node != nullptr && is<T>(node->kind) ? static_cast<const T*>(node) : nullptr;
 }
 
+/// True of a member that holds one child, or null.
+template<class Member>
+inline constexpr bool is_child_member = std::is_pointer_v<Member>;
+
+/// True of a member that holds a `List` of children.
+template<class Member>
+inline constexpr bool is_list_member = false;
+template<class T>
+inline constexpr bool is_list_member<List<T>> = true;
+
+/// Calls `function(name, value)` for each member of `node`, in source order. The types of the
+/// values differ: see `is_child_member` and `is_list_member`; all others are scalars.
+template<class Struct, class Function>
+constexpr void for_each_member(const Struct& node, Function&& function) {
+    if constexpr (requires { Struct::members(); }) {
+        std::apply(
+            [&](const auto&... member) { (function(member.name, node.*(member.pointer)), ...); },
+            Struct::members());
+    } else {
+        dispatch(node, [&](const auto& typed) { for_each_member(typed, function); });
+    }
+}
+
 /// Calls `function(const Node&)` for each child of `node` that is there, in source order.
 template<class Function>
 constexpr void for_each_child(const Node& node, Function&& function) {
-    const auto visit_member = [&](const auto& member) {
+    for_each_member(node, [&](std::string_view, const auto& member) {
         using Member = std::remove_cvref_t<decltype(member)>;
-        if constexpr (std::is_pointer_v<Member>) {
+        if constexpr (is_child_member<Member>) {
             if (member != nullptr)
                 function(static_cast<const Node&>(*member));
-        } else if constexpr (requires { member.begin(); }) {
+        } else if constexpr (is_list_member<Member>) {
             for (const auto* child : member)
                 function(static_cast<const Node&>(*child));
         }
-    };
-    dispatch(node, [&](const auto& self) {
-        using Self = std::remove_cvref_t<decltype(self)>;
-        std::apply(
-            [&](const auto&... description) { (visit_member(self.*(description.pointer)), ...); },
-            Self::members());
     });
 }
+
+/// True when both trees have the same nodes over the same token numbers, with equal members.
+[[nodiscard]] IECFRONT_API bool equal(const Node& a, const Node& b);
 
 } // namespace iecfront::ast

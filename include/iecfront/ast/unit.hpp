@@ -40,6 +40,10 @@ public:
     /// All bytes of the unit.
     [[nodiscard]] std::string_view text() const noexcept { return parts_.text; }
     [[nodiscard]] Encoding encoding() const noexcept { return parts_.encoding; }
+    /// The shared bytes that `text()` is a view into.
+    [[nodiscard]] const std::shared_ptr<const std::string>& buffer() const noexcept {
+        return parts_.buffer;
+    }
 
     /// In source order; without white space, comments and pragmas.
     [[nodiscard]] std::span<const Token> tokens() const noexcept { return parts_.tokens; }

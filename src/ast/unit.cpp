@@ -1,0 +1,59 @@
+#include <iecfront/ast/nodes.hpp>
+#include <iecfront/ast/unit.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace iecfront {
+namespace {
+
+// Characters of a short string stand inside the object itself, and are counted with it.
+[[nodiscard]] std::size_t heap_bytes(const std::string& text) noexcept {
+    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
+}
+
+[[nodiscard]] std::size_t heap_bytes(const Diagnostic& diagnostic) noexcept {
+    std::size_t bytes = diagnostic.arguments.capacity() * sizeof(DiagnosticArgument) +
+                        diagnostic.labels.capacity() * sizeof(DiagnosticLabel) +
+                        diagnostic.fixes.capacity() * sizeof(DiagnosticFix);
+    for (const DiagnosticArgument& argument : diagnostic.arguments)
+        if (const auto* text = std::get_if<std::string>(&argument))
+            bytes += heap_bytes(*text);
+    for (const DiagnosticLabel& label : diagnostic.labels)
+        bytes += heap_bytes(label.argument);
+    for (const DiagnosticFix& fix : diagnostic.fixes) {
+        bytes += fix.edits.capacity() * sizeof(TextEdit);
+        for (const TextEdit& edit : fix.edits)
+            bytes += heap_bytes(edit.replacement);
+    }
+    return bytes;
+}
+
+} // namespace
+
+Unit::Unit(Parts parts) : parts_(std::move(parts)), lines_(parts_.text) {}
+
+TextRange Unit::range(const ast::Node& node) const noexcept {
+    const std::span<const Token> tokens = parts_.tokens;
+    if (node.first_token < node.end_token)
+        return {tokens[node.first_token].offset(), tokens[node.end_token - 1].end()};
+    const std::uint32_t place = node.first_token == 0 ? 0 : tokens[node.first_token - 1].end();
+    return {place, place};
+}
+
+std::size_t Unit::memory_bytes() const noexcept {
+    std::size_t bytes = sizeof(Unit) + parts_.arena.reserved_bytes() +
+                        lines_.line_end_count() * sizeof(std::uint32_t) +
+                        parts_.diagnostics.capacity() * sizeof(Diagnostic);
+    for (const Diagnostic& diagnostic : parts_.diagnostics)
+        bytes += heap_bytes(diagnostic);
+    return bytes;
+}
+
+bool operator==(const Unit& a, const Unit& b) {
+    return a.text() == b.text() && std::ranges::equal(a.tokens(), b.tokens()) &&
+           std::ranges::equal(a.trivia(), b.trivia()) && ast::equal(a.root(), b.root()) &&
+           std::ranges::equal(a.diagnostics(), b.diagnostics());
+}
+
+} // namespace iecfront
