@@ -18,7 +18,7 @@
 /// All node structs, and the means that work on any of them.
 namespace iecfront::ast {
 
-/// Calls `function` with `node` as its own struct: `dispatch(node, [](const auto& n) { … })`.
+/// Calls `function` with `node` as its own struct: `dispatch(node, [](const auto& n) { ... })`.
 template<class Function>
 constexpr decltype(auto) dispatch(const Node& node, Function&& function) {
     switch (node.kind) {

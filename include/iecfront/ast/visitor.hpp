@@ -52,34 +52,65 @@ bool walk(const Node& root, Enter&& enter) {
     return walk(root, std::forward<Enter>(enter), [](const Node&) {});
 }
 
+/// True when the traversal class `V` has a `visit`, or a `leave`, that takes a `Struct`.
+template<class V, class Struct>
+concept Visits = requires(V& visitor, const Struct& node) {
+    visitor.visit(node);
+};
+template<class V, class Struct>
+concept Leaves = requires(V& visitor, const Struct& node) {
+    visitor.leave(node);
+};
+
 /// A traversal as a class. Derive, and write `visit` for the structs or categories of interest; the
 /// most specific one is called, and what has none is walked into:
 ///
 ///     struct Loops : iecfront::ast::Visitor<Loops> {
-///         using Visitor::visit;
 ///         Walk visit(const ForStatement&) { ++count; return Walk::into; }
 ///         int count = 0;
 ///     };
 ///
-/// `leave` works the same way and is called after the children.
+/// `leave` works the same way, gives nothing, and is called after the children. Both are public.
 template<class Derived>
 class Visitor {
 public:
     /// Goes through `root` and everything below it; false when a `visit` stopped it.
     bool traverse(const Node& root) {
+        static_assert(handles_something(), "no public visit or leave takes a (const) node");
         auto& self = static_cast<Derived&>(*this);
         return walk(
             root,
             [&](const Node& node) {
-                return dispatch(node, [&](const auto& typed) -> Walk { return self.visit(typed); });
+                return dispatch(node, [&](const auto& typed) { return visit_one(self, typed); });
             },
             [&](const Node& node) {
-                dispatch(node, [&](const auto& typed) { self.leave(typed); });
+                dispatch(node, [&](const auto& typed) { leave_one(self, typed); });
             });
     }
 
-    Walk visit(const Node&) { return Walk::into; }
-    void leave(const Node&) {}
+private:
+    template<class Struct>
+    static Walk visit_one(Derived& self, const Struct& node) {
+        if constexpr (Visits<Derived, Struct>)
+            return self.visit(node);
+        else
+            return Walk::into;
+    }
+
+    template<class Struct>
+    static void leave_one(Derived& self, const Struct& node) {
+        if constexpr (Leaves<Derived, Struct>)
+            self.leave(node);
+    }
+
+    // A `visit` that cannot be called is taken for one that is not there; so at least one must be.
+    static constexpr bool handles_something() {
+        return
+#define IECFRONT_NODE(enumerator, Struct, Category, production)                                    \
+    Visits<Derived, Struct> || Leaves<Derived, Struct> ||
+#include <iecfront/ast/nodes.def>
+            false;
+    }
 };
 
 } // namespace iecfront::ast

@@ -46,7 +46,7 @@ struct DiagnosticInfo {
     std::string_view clause;  ///< clause or production of the standard whose rule it states
     std::uint8_t annex_e_row; ///< row of Annex E counted from 1; 0 when it is none
     Severity default_severity;
-    std::string_view message; ///< `{0}`, `{1}` … stand for the arguments
+    std::string_view message; ///< `{0}`, `{1}` ... stand for the arguments
 };
 
 /// The row of `id`. Never fails.
@@ -122,8 +122,7 @@ struct Diagnostic {
 
 /// What a fix does, in words: "insert `;`", "replace `=` by `:=`", "remove `;`". `source` is the
 /// text that the edits refer to.
-[[nodiscard]] IECFRONT_API std::string description(const DiagnosticFix& fix,
-                                                   std::string_view source,
-                                                   Encoding encoding = Encoding::utf8);
+[[nodiscard]] IECFRONT_API std::string
+description(const DiagnosticFix& fix, std::string_view source, Encoding encoding = Encoding::utf8);
 
 } // namespace iecfront

@@ -18,7 +18,7 @@ namespace iecfront {
 
 /// An integer, bit string or Boolean literal: `-12`, `16#FF`, `UINT#5`, `BOOL#TRUE` (B.1.2.1).
 struct IntegerValue {
-    std::optional<TokenKind> type; ///< keyword before `#`: kw_int, kw_byte, kw_bool …
+    std::optional<TokenKind> type; ///< keyword before `#`: kw_int, kw_byte, kw_bool ...
     bool negative = false;         ///< only `INT#-5`; the sign of an untyped one is a token before
     std::uint8_t base = 10;        ///< 2, 8, 10 or 16
     bool overflow = false;         ///< above 2^64-1: `magnitude` is then 2^64-1
@@ -32,11 +32,11 @@ struct RealValue {
     double value = 0;      ///< correctly rounded to its type
 };
 
-/// A duration, `T#…` or `TIME#…` (B.1.2.3.1).
+/// A duration, `T#...` or `TIME#...` (B.1.2.3.1).
 struct DurationValue {
     bool overflow = false;        ///< beyond 64 bits; `nanoseconds` is the nearest end of the range
     bool inexact = false;         ///< digits finer than one nanosecond were cut
-    std::int64_t nanoseconds = 0; ///< negative for `T#-…`
+    std::int64_t nanoseconds = 0; ///< negative for `T#-...`
 };
 
 /// Calendar fields, as written and checked against the Gregorian calendar (B.1.2.3.2).
@@ -72,7 +72,7 @@ struct StringElement {
 
 /// A character string (B.1.2.2). `$N` is one character, LF.
 struct StringValue {
-    bool double_byte = false; ///< 16-bit codes: `"…"` or `WSTRING#…`
+    bool double_byte = false; ///< 16-bit codes: `"..."` or `WSTRING#...`
     std::vector<StringElement> elements;
 };
 

@@ -9,7 +9,7 @@
 
 namespace iecfront {
 
-/// `A`…`Z` for `a`…`z`, every other byte as it is: the only folding there is in the language
+/// `A`...`Z` for `a`...`z`, every other byte as it is: the only folding there is in the language
 /// (2.1.1, 2.1.2).
 [[nodiscard]] constexpr char fold(char c) noexcept {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c;

@@ -94,10 +94,10 @@ static_assert(sizeof(Token) == 8);
 
 /// What may stand wherever white space may (2.1.5, 2.1.6).
 enum class TriviaKind : std::uint8_t {
-    comment,      ///< `(* … *)`
-    pragma,       ///< `{ … }`
-    line_comment, ///< `// …` up to the line end; an extension
-    c_comment,    ///< `/* … */`; an extension
+    comment,      ///< `(* ... *)`
+    pragma,       ///< `{ ... }`
+    line_comment, ///< `// ...` up to the line end; an extension
+    c_comment,    ///< `/* ... */`; an extension
 };
 
 /// `comment`, `pragma`, `line_comment` or `c_comment`.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace iecfront::test {
+
+/// A file of the repository.
+struct RepositoryFile {
+    std::string path; ///< from the top of the repository, with `/`
+    std::string text;
+};
+
+/// The files in these top-level folders whose names end in one of `extensions`, ordered by path.
+[[nodiscard]] std::vector<RepositoryFile>
+repository_files(const std::vector<std::string_view>& folders,
+                 const std::vector<std::string_view>& extensions);
+
+/// The lines of `text` without their ends.
+[[nodiscard]] std::vector<std::string_view> lines_of(std::string_view text);
+
+} // namespace iecfront::test
