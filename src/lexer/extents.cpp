@@ -1,0 +1,165 @@
+#include "lexer/extents.hpp"
+
+namespace iecfront {
+
+namespace {
+
+// Characters beyond ASCII that nobody takes for a part of a word: controls, spaces, and what is not
+// to be seen.
+[[nodiscard]] bool is_invisible(char32_t c) noexcept {
+    return c <= U'\u00A0' || c == U'\u00AD' || c == U'\u1680' || c == U'\u180E' ||
+           (c >= U'\u2000' && c <= U'\u200F') || (c >= U'\u2028' && c <= U'\u202F') ||
+           (c >= U'\u205F' && c <= U'\u206F') || c == U'\u3000' || c == U'\uFEFF';
+}
+
+} // namespace
+
+DecodedCharacter Extents::decode(const char* p) const noexcept {
+    return decode_character({begin_, size_}, static_cast<std::size_t>(p - begin_), encoding_);
+}
+
+std::uint32_t Extents::foreign_letter_size(const char* p) const noexcept {
+    const DecodedCharacter character = decode(p);
+    return character.valid && is_invisible(character.code_point) ? 0 : character.size;
+}
+
+const char* Extents::word_end(const char* p) const noexcept {
+    for (;;) {
+        while (is_word_part(*p))
+            ++p;
+        if (is_ascii(*p))
+            return p;
+        const std::uint32_t size = foreign_letter_size(p);
+        if (size == 0)
+            return p;
+        p += size;
+    }
+}
+
+const char* Extents::digits_end(const char* p) noexcept {
+    while (is_digit(*p) || *p == '_')
+        ++p;
+    return p;
+}
+
+const char* Extents::blanks_end(const char* p) noexcept {
+    while (*p == ' ' || *p == '\t')
+        ++p;
+    return p;
+}
+
+const char* Extents::exponent_end(const char* p) noexcept {
+    if (!is_exponent_letter(*p))
+        return nullptr;
+    const char* const digits = p + (is_sign(p[1]) ? 2 : 1);
+    return is_digit(*digits) ? digits_end(digits) : nullptr;
+}
+
+bool Extents::point_begins_fraction(const char* point) noexcept {
+    const char next = point[1];
+    return *point == '.' && (is_digit(next) || (next == '_' && is_digit(point[2])) ||
+                             exponent_end(point + 1) != nullptr);
+}
+
+const char* Extents::real_end(const char* point) const noexcept {
+    const char* p = digits_end(point + 1);
+    if (const char* const exponent = exponent_end(p))
+        p = exponent;
+    else if (is_exponent_letter(*p) && is_sign(p[1]))
+        p += 2; // a number that ends in `E+` lacks its digits; no operator is meant
+    return word_end(p);
+}
+
+const char* Extents::number_end(const char* p) const noexcept {
+    if (is_sign(*p))
+        ++p;
+    const char* const digits = p;
+    p = digits_end(p);
+    if (p != digits) {
+        if (const char* const exponent = exponent_end(p))
+            return word_end(exponent);
+        if (point_begins_fraction(p))
+            return real_end(p);
+        if (*p == '.' && p[1] != '.' && !is_word_start(p[1]))
+            return p + 1; // `REAL#1.`
+    }
+    p = word_end(p);
+    while (*p == '#' || (*p == '.' && p != digits && is_digit(p[1])))
+        p = word_end(p + 1 + (*p == '#' && is_sign(p[1]) && is_word_part(p[2]) ? 1 : 0));
+    return p;
+}
+
+const char* Extents::duration_end(const char* p) const noexcept {
+    if (is_sign(*p))
+        ++p;
+    p = word_end(p);
+    while (*p == '.' && is_word_part(p[1]))
+        p = word_end(p + 1);
+    return p;
+}
+
+// A separator is taken while the literal still needs it, or when a digit follows: so what is to be
+// subtracted from a whole date or time is left alone.
+const char* Extents::date_end(TokenKind kind, const char* p) const noexcept {
+    unsigned dashes = kind == TokenKind::time_of_day ? 0 : 2;
+    unsigned colons = kind == TokenKind::date ? 0 : 2;
+    if (*p == '+' && is_digit(p[1]))
+        ++p;
+    for (p = word_end(p);; p = word_end(p)) {
+        if (*p == '-' && (dashes != 0 || is_digit(p[1])))
+            dashes -= dashes != 0 ? 1 : 0;
+        else if (*p == ':' && p[1] != '=' && (colons != 0 || is_digit(p[1])))
+            colons -= colons != 0 ? 1 : 0;
+        else if (*p != '.' || !is_digit(p[1]))
+            return p;
+        ++p;
+    }
+}
+
+const char* Extents::literal_end(TokenKind kind, const char* body) const noexcept {
+    if (class_of(*body) == CharacterClass::quote)
+        return string_end(body);
+    switch (kind) {
+    case TokenKind::duration: return duration_end(body);
+    case TokenKind::date:
+    case TokenKind::time_of_day:
+    case TokenKind::date_and_time: return date_end(kind, body);
+    case TokenKind::enumerated_value: return word_end(body);
+    default: return number_end(body);
+    }
+}
+
+const char* Extents::string_end(const char* quote) const noexcept {
+    const char* const text_end = begin_ + size_;
+    for (const char* p = quote + 1;; ++p) {
+        const CharacterClass found = class_of(*p);
+        if (found == CharacterClass::line_end || (*p == '\0' && p == text_end))
+            return p;
+        if (*p == *quote)
+            return p + 1;
+        // Whatever `$` escapes, it is not the end; but a line end and the end of the text are.
+        if (*p == '$' && class_of(p[1]) != CharacterClass::line_end && p + 1 != text_end)
+            ++p;
+    }
+}
+
+const char* Extents::address_end(const char* p) const noexcept {
+    p = word_end(p);
+    while (*p == '.' && is_digit(p[1]))
+        p = word_end(p + 1);
+    // A point that nothing can follow belongs to the address, which lacks a number then.
+    if (*p == '.' && p[1] != '.' && !is_word_start(p[1]) && is_ascii(p[1]))
+        ++p;
+    return p;
+}
+
+const char* Extents::location_end(const char* p) const noexcept {
+    const char* const letters = p;
+    while (is_word_start(*p))
+        ++p;
+    if (*p == '*' && p != letters)
+        ++p;
+    return p == letters && !is_digit(*p) ? word_end(p) : address_end(p);
+}
+
+} // namespace iecfront

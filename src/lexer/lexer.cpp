@@ -1,0 +1,905 @@
+#include "lexer/lexer.hpp"
+
+#include "lexer/characters.hpp"
+#include "lexer/comment_marks.hpp"
+#include "lexer/extents.hpp"
+#include "lexer/keywords.hpp"
+
+#include <iecfront/lexer/literals.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace iecfront {
+
+namespace {
+
+// Spaces and tabs that wrongly stand inside a literal: before the `#`, and behind it (2.1.4).
+struct Gaps {
+    TextRange first;
+    TextRange second;
+
+    [[nodiscard]] bool any() const noexcept { return !first.empty() || !second.empty(); }
+};
+
+// A literal that the next characters make, its kind and its extent.
+struct Found {
+    TokenKind kind;
+    const char* end;
+    Gaps gaps;
+    bool of_derived_type = false;
+};
+
+// So many digits fit 64 bits: nothing can be wrong with them.
+constexpr std::ptrdiff_t safe_digits = 18;
+
+class Lexer {
+public:
+    Lexer(std::string_view text, Encoding encoding)
+        : text_(text),
+          begin_(text.data()),
+          end_(text.data() + text.size()),
+          line_feed_(begin_),
+          comment_end_missing_from_(end_),
+          c_comment_end_missing_from_(end_),
+          pragma_end_missing_from_(end_),
+          encoding_(encoding),
+          extents_(text, encoding) {
+        // Published programs have a token in 6 to 8 bytes; reserved memory costs nothing until
+        // used.
+        result_.tokens.reserve(text.size() / 5 + 16);
+        result_.depends_on_rest_from = static_cast<std::uint32_t>(text.size());
+    }
+
+    LexedText run();
+
+private:
+    // Each takes the place where something begins, and gives the place behind it.
+    const char* word(const char* begin);
+    const char* long_word(const char* begin);
+    const char* plain_word(const char* begin, const char* end);
+    const char* prefixed(const char* begin, const char* prefix_end);
+    const char* number(const char* begin);
+    const char* long_number(const char* begin);
+    const char* integer(const char* begin, const char* end);
+    const char* number_with_point(const char* begin, const char* point);
+    const char* number_with_exponent(const char* begin, const char* letter);
+    const char* digit_first_word(const char* begin, const char* end);
+    const char* string(const char* begin);
+    const char* location(const char* begin);
+    const char* number_sign(const char* begin);
+    const char* dot(const char* begin);
+    const char* slash(const char* begin);
+    const char* star(const char* begin);
+    const char* comment(const char* begin);
+    const char* line_comment(const char* begin);
+    const char* c_comment(const char* begin);
+    const char* pragma(const char* begin);
+    const char* stray_pragma_end(const char* begin);
+    const char* unexpected(const char* begin);
+    const char* non_ascii(const char* begin);
+
+    const char* delimiter(TokenKind kind, const char* begin, std::uint32_t size) {
+        emit(kind, begin, begin + size);
+        return begin + size;
+    }
+    // The longer delimiter when `second` follows, else the shorter one.
+    const char* either(const char* begin, char second, TokenKind longer, TokenKind shorter) {
+        return begin[1] == second ? delimiter(longer, begin, 2) : delimiter(shorter, begin, 1);
+    }
+
+    const char* identifier(const char* begin, const char* end);
+    const char* literal(TokenKind kind, const char* begin, const char* end);
+    const char* spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps);
+    const char* found_literal(const char* begin, const char* prefix_end, const Found& found);
+    bool find_prefixed(const char* begin, const char* prefix_end, Found& found) const;
+    bool find_based(const char* begin, const char* prefix_end, const char* body,
+                    Found& found) const;
+    bool find_of_named_type(const char* body, Found& found) const;
+    [[nodiscard]] bool can_begin_value(TokenKind kind, std::string_view prefix,
+                                       const char* body) const;
+    [[nodiscard]] bool ends_operand(Token token, const char* next) const;
+    [[nodiscard]] bool can_be_prefix(Token token) const;
+
+    bool check_word(const char* begin, const char* end);
+    void check_underscores(const char* begin, const char* end);
+    bool check_foreign_letters(const char* begin, const char* end);
+    void check_encoding();
+    const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
+    const char* end_of_first_line(const char* begin, DiagnosticId fault, std::uint32_t size);
+    const char* line_end(const char* begin);
+
+    void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false) {
+        result_.tokens.emplace_back(kind, offset(begin), static_cast<std::uint32_t>(end - begin),
+                                    std::exchange(first_on_line_, false), malformed);
+    }
+    // The same for what may be longer than a token can be.
+    void emit_any(TokenKind kind, const char* begin, const char* end, bool malformed = false);
+    void emit_pieces(const char* begin, const char* end);
+    void add_trivia(TriviaKind kind, const char* begin, const char* end) {
+        result_.trivia.push_back({range(begin, end), kind});
+    }
+    Diagnostic& report(DiagnosticId id, TextRange where) {
+        return result_.diagnostics.emplace_back(Diagnostic{id, where, {}, {}, {}});
+    }
+    static void add_replacement(Diagnostic& diagnostic, TextRange where, std::string text = {}) {
+        diagnostic.fixes.push_back({{TextEdit{where, std::move(text)}}});
+    }
+    void depend_on_rest(const char* from) {
+        result_.depends_on_rest_from = std::min(result_.depends_on_rest_from, offset(from));
+    }
+    Token take_back();
+
+    [[nodiscard]] std::uint32_t offset(const char* p) const noexcept {
+        return static_cast<std::uint32_t>(p - begin_);
+    }
+    [[nodiscard]] TextRange range(const char* begin, const char* end) const noexcept {
+        return {offset(begin), offset(end)};
+    }
+    [[nodiscard]] static std::string_view view(const char* begin, const char* end) noexcept {
+        return {begin, static_cast<std::size_t>(end - begin)};
+    }
+
+    std::string_view text_;
+    const char* begin_;
+    const char* end_;       // where the zero byte stands
+    const char* line_feed_; // the last one looked up, or the end
+    // Behind these no `*)`, `*/`, `}` stands any more: nobody looks for one twice.
+    const char* comment_end_missing_from_;
+    const char* c_comment_end_missing_from_;
+    const char* pragma_end_missing_from_;
+    bool first_on_line_ = true;
+    Encoding encoding_;
+    Extents extents_;
+    CommentMarks marks_;
+    LexedText result_;
+};
+
+LexedText Lexer::run() {
+    const char* p = begin_ + byte_order_mark_size(text_, encoding_);
+    for (;;) {
+        switch (class_of(*p)) {
+        case CharacterClass::blank: ++p; break;
+        case CharacterClass::line_end:
+            first_on_line_ = true;
+            ++p;
+            break;
+        case CharacterClass::word: p = word(p); break;
+        case CharacterClass::digit: p = number(p); break;
+        case CharacterClass::quote: p = string(p); break;
+        case CharacterClass::single: p = delimiter(single_delimiter(*p), p, 1); break;
+        case CharacterClass::ampersand:
+            p = either(p, '&', TokenKind::ampersand_ampersand, TokenKind::ampersand);
+            break;
+        case CharacterClass::bar:
+            p = p[1] == '|' ? delimiter(TokenKind::bar_bar, p, 2) : unexpected(p);
+            break;
+        case CharacterClass::brace_left: p = pragma(p); break;
+        case CharacterClass::brace_right: p = stray_pragma_end(p); break;
+        case CharacterClass::colon: p = either(p, '=', TokenKind::assign, TokenKind::colon); break;
+        case CharacterClass::dot: p = dot(p); break;
+        case CharacterClass::equal:
+            p = p[1] == '>' ? delimiter(TokenKind::output_arrow, p, 2)
+                            : either(p, '=', TokenKind::equal_equal, TokenKind::equal);
+            break;
+        case CharacterClass::exclamation:
+            p = p[1] == '=' ? delimiter(TokenKind::exclamation_equal, p, 2) : unexpected(p);
+            break;
+        case CharacterClass::greater:
+            p = either(p, '=', TokenKind::greater_equal, TokenKind::greater);
+            break;
+        case CharacterClass::less:
+            p = p[1] == '>' ? delimiter(TokenKind::not_equal, p, 2)
+                            : either(p, '=', TokenKind::less_equal, TokenKind::less);
+            break;
+        case CharacterClass::number_sign: p = number_sign(p); break;
+        case CharacterClass::parenthesis_left:
+            p = p[1] == '*' ? comment(p) : delimiter(TokenKind::left_parenthesis, p, 1);
+            break;
+        case CharacterClass::percent: p = location(p); break;
+        case CharacterClass::slash: p = slash(p); break;
+        case CharacterClass::star: p = star(p); break;
+        case CharacterClass::non_ascii: p = non_ascii(p); break;
+        case CharacterClass::unexpected: p = unexpected(p); break;
+        case CharacterClass::zero:
+            if (p == end_) {
+                first_on_line_ = true;
+                emit(TokenKind::end_of_unit, p, p);
+                check_encoding();
+                std::ranges::stable_sort(result_.diagnostics, {}, [](const Diagnostic& diagnostic) {
+                    return diagnostic.range.begin;
+                });
+                return std::move(result_);
+            }
+            p = unexpected(p);
+            break;
+        }
+    }
+}
+
+// ---- tokens ------------------------------------------------------------------------------------
+
+void Lexer::emit_any(TokenKind kind, const char* begin, const char* end, bool malformed) {
+    if (static_cast<std::size_t>(end - begin) > Token::maximum_length)
+        emit_pieces(begin, end);
+    else
+        emit(kind, begin, end, malformed);
+}
+
+void Lexer::emit_pieces(const char* begin, const char* end) {
+    // Whatever was found inside is of no use when the whole is not examined.
+    while (!result_.diagnostics.empty() && result_.diagnostics.back().range.begin >= offset(begin))
+        result_.diagnostics.pop_back();
+    report(DiagnosticId::text_too_long, range(begin, end))
+        .arguments.emplace_back(std::uint64_t{Token::maximum_length});
+    while (begin != end) {
+        const auto rest = static_cast<std::size_t>(end - begin);
+        const char* const cut = begin + std::min<std::size_t>(rest, Token::maximum_length);
+        emit(TokenKind::unknown, begin, cut, true);
+        begin = cut;
+    }
+}
+
+// Removes the last token, to read it again together with what follows it.
+Token Lexer::take_back() {
+    const Token token = result_.tokens.back();
+    result_.tokens.pop_back();
+    first_on_line_ = token.first_on_line();
+    return token;
+}
+
+// ---- words -------------------------------------------------------------------------------------
+
+const char* Lexer::word(const char* begin) {
+    const char* p = begin;
+    unsigned seen = 0;
+    unsigned bits = word_bits_of(*p);
+    do {
+        seen |= bits;
+        bits = word_bits_of(*++p);
+    } while ((bits & characters::word_part) != 0);
+    if ((bits & characters::word_joins) != 0) [[unlikely]]
+        return long_word(begin);
+
+    const auto size = static_cast<std::size_t>(p - begin);
+    const TokenKind kind = keyword_kind(begin, size);
+    const bool plain = (seen & characters::word_underscore) == 0;
+    if (kind == TokenKind::identifier && (!plain || size > Token::maximum_length))
+        return identifier(begin, p);
+    emit(kind, begin, p);
+    return p;
+}
+
+// A word that a `#` or a character beyond ASCII follows.
+const char* Lexer::long_word(const char* begin) {
+    const char* const end = extents_.word_end(begin);
+    if (*end == '#')
+        return prefixed(begin, end);
+    return plain_word(begin, end);
+}
+
+const char* Lexer::plain_word(const char* begin, const char* end) {
+    const TokenKind kind = keyword_kind(view(begin, end));
+    if (kind == TokenKind::identifier)
+        return identifier(begin, end);
+    emit(kind, begin, end);
+    return end;
+}
+
+const char* Lexer::identifier(const char* begin, const char* end) {
+    const bool malformed = !check_word(begin, end);
+    emit_any(TokenKind::identifier, begin, end, malformed);
+    return end;
+}
+
+// Reports what keeps a word from being an identifier (2.1.2). True when nothing does.
+bool Lexer::check_word(const char* begin, const char* end) {
+    if (!check_foreign_letters(begin, end))
+        return false;
+    const bool faulty = *begin == '_' && (end - begin == 1 || begin[1] == '_');
+    if (!faulty && end[-1] != '_' && view(begin, end).find("__") == std::string_view::npos)
+        return true;
+    check_underscores(begin, end);
+    return false;
+}
+
+void Lexer::check_underscores(const char* begin, const char* end) {
+    for (const char* p = begin; p != end;) {
+        if (*p != '_') {
+            ++p;
+            continue;
+        }
+        const char* run = p;
+        while (run != end && *run == '_')
+            ++run;
+        const TextRange where = range(p, run);
+        if (p == begin && run == end)
+            report(DiagnosticId::lone_underscore, where);
+        else if (run == end)
+            add_replacement(report(DiagnosticId::trailing_underscore, where), where);
+        else if (run - p > 1)
+            add_replacement(report(p == begin ? DiagnosticId::leading_underscores
+                                              : DiagnosticId::consecutive_underscores,
+                                   where),
+                            where, "_");
+        p = run;
+    }
+}
+
+bool Lexer::check_foreign_letters(const char* begin, const char* end) {
+    const char* p = std::find_if_not(begin, end, is_ascii);
+    if (p == end)
+        return true;
+    while (p != end && !extents_.decode(p).valid) // of broken bytes the encoding check speaks
+        p = std::find_if_not(p + 1, end, is_ascii);
+    if (p != end) {
+        const DecodedCharacter character = extents_.decode(p);
+        report(DiagnosticId::character_in_identifier, range(p, p + character.size))
+            .arguments.emplace_back(character.code_point);
+    }
+    return false;
+}
+
+// ---- literals with a prefix --------------------------------------------------------------------
+
+namespace {
+
+// What the word before a `#` begins; `enumerated_value` when it is no prefix of the language.
+[[nodiscard]] TokenKind kind_of_prefix(std::string_view prefix) noexcept {
+    const TokenKind word = keyword_kind(prefix);
+    switch (word) {
+    case TokenKind::kw_time: return TokenKind::duration;
+    case TokenKind::kw_date: return TokenKind::date;
+    case TokenKind::kw_tod:
+    case TokenKind::kw_time_of_day: return TokenKind::time_of_day;
+    case TokenKind::kw_dt:
+    case TokenKind::kw_date_and_time: return TokenKind::date_and_time;
+    case TokenKind::kw_string: return TokenKind::single_byte_string;
+    case TokenKind::kw_wstring: return TokenKind::double_byte_string;
+    default: break;
+    }
+    if (names_equal(prefix, "T"))
+        return TokenKind::duration;
+    if (names_equal(prefix, "D"))
+        return TokenKind::date;
+    return is_elementary_type_name(word) ? TokenKind::typed_literal : TokenKind::enumerated_value;
+}
+
+[[nodiscard]] bool is_string(TokenKind kind) noexcept {
+    return kind == TokenKind::single_byte_string || kind == TokenKind::double_byte_string;
+}
+
+[[nodiscard]] bool is_quote(char c) noexcept {
+    return class_of(c) == CharacterClass::quote;
+}
+
+[[nodiscard]] bool begins_number(const char* p) noexcept {
+    return is_digit(is_sign(*p) ? p[1] : *p);
+}
+
+[[nodiscard]] bool is_hexadecimal_digit(char c) noexcept {
+    return is_digit(c) || (fold(c) >= 'A' && fold(c) <= 'F');
+}
+
+} // namespace
+
+// True when `body`, behind white space, is so evidently the value for the prefix that they make one
+// literal.
+bool Lexer::can_begin_value(TokenKind kind, std::string_view prefix, const char* body) const {
+    if (is_string(kind))
+        return is_quote(*body);
+    if (begins_number(body))
+        return true;
+    const TokenKind word = keyword_kind(view(body, extents_.word_end(body)));
+    return names_equal(prefix, "BOOL") &&
+           (word == TokenKind::kw_true || word == TokenKind::kw_false);
+}
+
+// `type#value` with a type that has a name of its own.
+bool Lexer::find_of_named_type(const char* body, Found& found) const {
+    const bool spaced = found.gaps.any();
+    if (is_word_start(*body) || (!is_ascii(*body) && extents_.foreign_letter_size(body) != 0)) {
+        found.end = extents_.word_end(body);
+        return !spaced || keyword_kind(view(body, found.end)) == TokenKind::identifier;
+    }
+    if (!begins_number(body) && (spaced || !is_quote(*body)))
+        return false;
+    found.kind = TokenKind::typed_literal;
+    found.of_derived_type = true;
+    found.end = extents_.literal_end(found.kind, body);
+    return true;
+}
+
+// `16#FF`, with or without white space.
+bool Lexer::find_based(const char* begin, const char* prefix_end, const char* body,
+                       Found& found) const {
+    found.kind = TokenKind::based_integer;
+    found.end = extents_.literal_end(found.kind, body);
+    if (!found.gaps.any())
+        return true;
+    if (view(begin, prefix_end) != "16")
+        return is_digit(*body);
+    const std::string_view digits = view(body, extents_.word_end(body));
+    return is_hexadecimal_digit(*body) && keyword_kind(digits) == TokenKind::identifier &&
+           std::ranges::all_of(digits, [](char c) { return is_hexadecimal_digit(c) || c == '_'; });
+}
+
+// Looks for a literal with the prefix from `begin` to `prefix_end`, which a `#` follows, perhaps
+// behind blanks. False when there is none.
+bool Lexer::find_prefixed(const char* begin, const char* prefix_end, Found& found) const {
+    const char* const sign = Extents::blanks_end(prefix_end);
+    const char* const body = Extents::blanks_end(sign + 1);
+    found.gaps = {range(prefix_end, sign), range(sign + 1, body)};
+    if (is_digit(*begin) && find_based(begin, prefix_end, body, found))
+        return true;
+    const std::string_view prefix = view(begin, prefix_end);
+    found.kind = is_digit(*begin) ? TokenKind::based_integer : kind_of_prefix(prefix);
+    if (found.kind == TokenKind::enumerated_value) {
+        if (find_of_named_type(body, found))
+            return true;
+        found.gaps.second = {};
+        return false;
+    }
+    if (found.gaps.any() && found.kind != TokenKind::based_integer &&
+        can_begin_value(found.kind, prefix, body)) {
+        found.end = extents_.literal_end(found.kind, body);
+        return true;
+    }
+    // Without white space that can be overlooked, whatever follows the `#` directly is the value.
+    found.gaps.second = {};
+    if (!found.gaps.first.empty())
+        return false;
+    if (is_string(found.kind) && !is_quote(sign[1]))
+        found.kind = TokenKind::typed_literal;
+    found.end = extents_.literal_end(found.kind, sign + 1);
+    return true;
+}
+
+const char* Lexer::prefixed(const char* begin, const char* prefix_end) {
+    Found found{};
+    if (find_prefixed(begin, prefix_end, found))
+        return found_literal(begin, prefix_end, found);
+    return plain_word(begin, prefix_end); // and the `#` is reported when it is met
+}
+
+const char* Lexer::found_literal(const char* begin, const char* prefix_end, const Found& found) {
+    if (found.gaps.any())
+        return spaced_literal(found.kind, begin, found.end, found.gaps);
+    if (found.kind == TokenKind::enumerated_value) {
+        const bool first_well_formed = check_word(begin, prefix_end);
+        const bool well_formed = check_word(prefix_end + 1, found.end) && first_well_formed;
+        emit_any(found.kind, begin, found.end, !well_formed);
+        return found.end;
+    }
+    if (!found.of_derived_type)
+        return literal(found.kind, begin, found.end);
+    report(DiagnosticId::literal_of_derived_type, range(begin, found.end))
+        .arguments.emplace_back(std::string(begin, prefix_end));
+    emit_any(found.kind, begin, found.end);
+    return found.end;
+}
+
+const char* Lexer::spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps) {
+    const bool two = !gaps.first.empty() && !gaps.second.empty();
+    const TextRange first = gaps.first.empty() ? gaps.second : gaps.first;
+    Diagnostic& diagnostic = report(DiagnosticId::white_space_in_literal, first);
+    add_replacement(diagnostic, first);
+    if (two)
+        diagnostic.fixes.front().edits.push_back({gaps.second, {}});
+    emit_any(kind, begin, end, true);
+    return end;
+}
+
+const char* Lexer::literal(TokenKind kind, const char* begin, const char* end) {
+    if (static_cast<std::size_t>(end - begin) > Token::maximum_length) {
+        emit_pieces(begin, end);
+        return end;
+    }
+    bool malformed = false;
+    for (Diagnostic& fault : check_literal(kind, view(begin, end), encoding_)) {
+        const DiagnosticClass category = diagnostic_info(fault.id).category;
+        malformed |= category == DiagnosticClass::violation || category == DiagnosticClass::error;
+        result_.diagnostics.push_back(shifted(std::move(fault), offset(begin)));
+    }
+    emit(kind, begin, end, malformed);
+    return end;
+}
+
+// A `#` that belongs to nothing directly before it: perhaps blanks keep it from its prefix.
+const char* Lexer::number_sign(const char* begin) {
+    if (!result_.tokens.empty() && can_be_prefix(result_.tokens.back())) {
+        const Token prefix = result_.tokens.back();
+        const char* const prefix_end = begin_ + prefix.end();
+        Found found{};
+        if (prefix_end != begin && Extents::blanks_end(prefix_end) == begin &&
+            find_prefixed(begin_ + prefix.offset(), prefix_end, found)) {
+            take_back();
+            return found_literal(begin_ + prefix.offset(), prefix_end, found);
+        }
+    }
+    report(DiagnosticId::stray_number_sign, range(begin, begin + 1));
+    emit(TokenKind::unknown, begin, begin + 1, true);
+    return begin + 1;
+}
+
+bool Lexer::can_be_prefix(Token token) const {
+    const TokenKind kind = token.kind();
+    return !token.malformed() && (kind == TokenKind::identifier || kind == TokenKind::integer ||
+                                  is_elementary_type_name(kind));
+}
+
+// ---- numbers -----------------------------------------------------------------------------------
+
+const char* Lexer::number(const char* begin) {
+    const char* p = begin;
+    do
+        ++p;
+    while (is_digit(*p));
+    if ((word_bits_of(*p) & characters::number_goes_on) != 0 || p - begin > safe_digits)
+        return long_number(begin);
+    emit(TokenKind::integer, begin, p);
+    return p;
+}
+
+const char* Lexer::long_number(const char* begin) {
+    const char* const digits_end = Extents::digits_end(begin);
+    if (*digits_end == '#')
+        return prefixed(begin, digits_end);
+    const char* const word_end = extents_.word_end(digits_end);
+    const bool behind_dot = !result_.tokens.empty() &&
+                            result_.tokens.back().kind() == TokenKind::dot &&
+                            result_.tokens.back().end() == offset(begin);
+    if (*digits_end == '.' && !behind_dot)
+        return number_with_point(begin, digits_end);
+    if (is_exponent_letter(*digits_end) && !behind_dot)
+        return number_with_exponent(begin, digits_end);
+    return word_end == digits_end ? integer(begin, digits_end) : digit_first_word(begin, word_end);
+}
+
+const char* Lexer::integer(const char* begin, const char* end) {
+    if (end - begin > safe_digits || std::find(begin, end, '_') != end)
+        return literal(TokenKind::integer, begin, end);
+    emit(TokenKind::integer, begin, end);
+    return end;
+}
+
+namespace {
+
+// Digits that are no number of their own: `1. 5`, but not `1. 2.5`.
+[[nodiscard]] bool is_fraction(const char* p) noexcept {
+    const char* const end = Extents::digits_end(p);
+    return is_digit(*p) && *end != '#' && (*end != '.' || end[1] == '.');
+}
+
+} // namespace
+
+const char* Lexer::number_with_point(const char* begin, const char* point) {
+    if (point[1] == '.')
+        return integer(begin, point);
+    const char* end = point + 1;
+    if (Extents::point_begins_fraction(point))
+        end = extents_.real_end(point);
+    // `1. 5`, `1.0 E3` and `1.0E 3`: the rest of the number behind blanks.
+    const char* const rest = Extents::blanks_end(end);
+    if (rest != end) {
+        const Gaps gaps{range(end, rest), {}};
+        if (end == point + 1 && is_fraction(rest))
+            return spaced_literal(TokenKind::real, begin, extents_.real_end(rest - 1), gaps);
+        if (const char* const exponent = Extents::exponent_end(rest);
+            exponent != nullptr && end != point + 1 && !is_word_part(*exponent))
+            return spaced_literal(TokenKind::real, begin, exponent, gaps);
+        if (end != point + 1 && is_exponent_letter(end[-1]) && begins_number(rest))
+            return spaced_literal(TokenKind::real, begin,
+                                  Extents::digits_end(is_sign(*rest) ? rest + 1 : rest), gaps);
+    }
+    return literal(TokenKind::real, begin, end);
+}
+
+const char* Lexer::number_with_exponent(const char* begin, const char* letter) {
+    const char* const exponent = Extents::exponent_end(letter);
+    const char* const word_end = extents_.word_end(letter);
+    if (exponent == nullptr)
+        return word_end == letter + 1 ? literal(TokenKind::real, begin, word_end)
+                                      : digit_first_word(begin, word_end);
+    if (is_sign(letter[1]))
+        return literal(TokenKind::real, begin, extents_.word_end(exponent));
+    return exponent == word_end ? literal(TokenKind::real, begin, exponent)
+                                : digit_first_word(begin, word_end);
+}
+
+// `2nd_pump`: meant as a name.
+const char* Lexer::digit_first_word(const char* begin, const char* end) {
+    if (*end == '#')
+        return prefixed(begin, end);
+    if (check_foreign_letters(begin, end)) {
+        const char* const digits = std::find_if_not(begin, end, is_digit);
+        report(DiagnosticId::identifier_begins_with_digit, range(begin, digits));
+    }
+    emit_any(TokenKind::identifier, begin, end, true);
+    return end;
+}
+
+// ---- strings, locations ------------------------------------------------------------------------
+
+namespace {
+
+// True for a string literal with no fault: closed, of printable ASCII characters, without `$`.
+[[nodiscard]] bool is_plain_string(std::string_view literal) noexcept {
+    return literal.size() >= 2 && literal.back() == literal.front() &&
+           std::ranges::all_of(literal, [](char c) { return c >= ' ' && c <= '~' && c != '$'; });
+}
+
+// `IX1`, `Q5`, `M*` behind the `%`.
+[[nodiscard]] bool is_location(const char* p) noexcept {
+    const auto is_one_of = [](char c, std::string_view letters) {
+        return letters.find(fold(c)) != std::string_view::npos;
+    };
+    if (!is_one_of(*p, "IQM"))
+        return false;
+    ++p;
+    return *p == '*' || is_digit(*p) || (is_one_of(*p, "XBWDL") && is_digit(p[1]));
+}
+
+} // namespace
+
+const char* Lexer::string(const char* begin) {
+    const char* const end = extents_.string_end(begin);
+    const TokenKind kind =
+        *begin == '"' ? TokenKind::double_byte_string : TokenKind::single_byte_string;
+    if (!is_plain_string(view(begin, end)))
+        return literal(kind, begin, end);
+    emit_any(kind, begin, end);
+    return end;
+}
+
+const char* Lexer::location(const char* begin) {
+    const char* const end = extents_.location_end(begin + 1);
+    const char* const rest = Extents::blanks_end(end);
+    const Gaps gaps{range(end, rest), {}};
+    const std::string_view letters = view(begin + 1, end);
+    const TokenKind kind = letters.find('*') != std::string_view::npos
+                               ? TokenKind::incomplete_location
+                               : TokenKind::direct_variable;
+    if (rest == end)
+        return literal(kind, begin, end);
+    if (letters.empty() && is_location(rest)) {
+        const char* const rest_end = extents_.location_end(rest);
+        return spaced_literal(rest_end[-1] == '*' ? TokenKind::incomplete_location : kind, begin,
+                              rest_end, gaps);
+    }
+    // `%IX 1.0`: only behind what is a complete prefix, for digits to follow.
+    if (!letters.empty() && letters.size() <= 2 && is_digit(*rest) &&
+        std::ranges::all_of(letters, is_word_start))
+        return spaced_literal(kind, begin, extents_.address_end(rest), gaps);
+    return literal(kind, begin, end);
+}
+
+// ---- delimiters that need a look around --------------------------------------------------------
+
+// True when `token` can be the end of an operand, so that a point at `next` selects a part of it.
+bool Lexer::ends_operand(Token token, const char* next) const {
+    const TokenKind kind = token.kind();
+    if (is_keyword(kind)) // meant as a name when the point adjoins: `step.5`
+        return token.end() == offset(next);
+    return kind == TokenKind::right_parenthesis || kind == TokenKind::right_bracket ||
+           kind >= TokenKind::identifier;
+}
+
+const char* Lexer::dot(const char* begin) {
+    if (begin[1] == '.')
+        return delimiter(TokenKind::dot_dot, begin, 2);
+    if (!is_digit(begin[1]))
+        return delimiter(TokenKind::dot, begin, 1);
+    if (result_.tokens.empty() || !ends_operand(result_.tokens.back(), begin))
+        return literal(TokenKind::real, begin, extents_.real_end(begin));
+
+    const Token before = result_.tokens.back();
+    const char* const before_end = begin_ + before.end();
+    const bool spaced = before_end != begin && Extents::blanks_end(before_end) == begin;
+    if (before.kind() != TokenKind::integer || before.malformed() || !spaced)
+        return delimiter(TokenKind::dot, begin, 1);
+    take_back(); // `1 .5`
+    return spaced_literal(TokenKind::real, begin_ + before.offset(), extents_.real_end(begin),
+                          {range(before_end, begin), {}});
+}
+
+const char* Lexer::slash(const char* begin) {
+    if (begin[1] == '/')
+        return line_comment(begin);
+    if (begin[1] == '*')
+        return c_comment(begin);
+    return delimiter(TokenKind::slash, begin, 1);
+}
+
+const char* Lexer::star(const char* begin) {
+    if (begin[1] != ')')
+        return either(begin, '*', TokenKind::power, TokenKind::star);
+    const TextRange where = range(begin, begin + 2);
+    add_replacement(report(DiagnosticId::stray_comment_end, where), where);
+    emit(TokenKind::unknown, begin, begin + 2, true);
+    return begin + 2;
+}
+
+// ---- comments and pragmas ----------------------------------------------------------------------
+
+// The line end at or behind `begin`, or the end of the text. Places asked for must grow.
+const char* Lexer::line_end(const char* begin) {
+    const auto find = [](const char* first, const char* last, char c) {
+        const void* const found = std::memchr(first, c, static_cast<std::size_t>(last - first));
+        return found != nullptr ? static_cast<const char*>(found) : last;
+    };
+    // Looked up once for a text whose lines end in CR only.
+    if (line_feed_ < begin || line_feed_ == begin_)
+        line_feed_ = find(begin, end_, '\n');
+    return find(begin, line_feed_, '\r');
+}
+
+// Reports what nothing closes, at its opening of `size` bytes, and gives it its first line: so the
+// rest of the file is still read.
+const char* Lexer::end_of_first_line(const char* begin, DiagnosticId fault, std::uint32_t size) {
+    report(fault, range(begin, begin + size));
+    depend_on_rest(begin);
+    return line_end(begin);
+}
+
+const char* Lexer::comment(const char* begin) {
+    const char* inner = nullptr;
+    const char* closing = nullptr; // the `)`
+    if (begin + 2 < comment_end_missing_from_) {
+        for (const char* p = begin + 2; closing == nullptr;) {
+            p = static_cast<const char*>(std::memchr(p, '*', static_cast<std::size_t>(end_ - p)));
+            if (p == nullptr)
+                break;
+            if (p[-1] == '(' && inner == nullptr)
+                inner = p - 1;
+            while (*p == '*')
+                ++p;
+            if (*p == ')')
+                closing = p;
+        }
+    }
+    const char* end = nullptr;
+    if (closing == nullptr) {
+        comment_end_missing_from_ = std::min(comment_end_missing_from_, begin + 2);
+        end = end_of_first_line(begin, DiagnosticId::unterminated_comment, 2);
+    } else {
+        end = inner == nullptr ? closing + 1 : end_of_nested_comment(begin, inner, closing);
+    }
+    add_trivia(TriviaKind::comment, begin, end);
+    return end;
+}
+
+// When a comment that holds another opening nests in balance, all of it was meant as comment.
+// Otherwise it ends at its first `*)`, as the standard has it.
+const char* Lexer::end_of_nested_comment(const char* begin, const char* inner,
+                                         const char* closing) {
+    report(DiagnosticId::nested_comment, range(inner, inner + 2))
+        .labels.push_back({range(begin, begin + 2), LabelId::comment_begin, {}});
+    if (!marks_.built())
+        marks_.build(text_, offset(begin));
+    if (const auto end = marks_.balanced_end(offset(begin)))
+        return begin_ + *end;
+    depend_on_rest(begin);
+    return closing + 1;
+}
+
+const char* Lexer::line_comment(const char* begin) {
+    const char* const end = line_end(begin);
+    report(DiagnosticId::line_comment, range(begin, end));
+    add_trivia(TriviaKind::line_comment, begin, end);
+    return end;
+}
+
+const char* Lexer::c_comment(const char* begin) {
+    std::size_t closing = std::string_view::npos;
+    if (begin + 2 < c_comment_end_missing_from_)
+        closing = text_.find("*/", offset(begin) + std::size_t{2});
+    const char* end = nullptr;
+    if (closing == std::string_view::npos) {
+        c_comment_end_missing_from_ = std::min(c_comment_end_missing_from_, begin + 2);
+        end = end_of_first_line(begin, DiagnosticId::unterminated_comment, 2);
+    } else {
+        end = begin_ + closing + 2;
+        report(DiagnosticId::c_comment, range(begin, end));
+    }
+    add_trivia(TriviaKind::c_comment, begin, end);
+    return end;
+}
+
+const char* Lexer::pragma(const char* begin) {
+    std::size_t closing = std::string_view::npos;
+    if (begin < pragma_end_missing_from_)
+        closing = text_.find('}', offset(begin));
+    const char* end = nullptr;
+    if (closing == std::string_view::npos) {
+        pragma_end_missing_from_ = std::min(pragma_end_missing_from_, begin);
+        end = end_of_first_line(begin, DiagnosticId::unterminated_pragma, 1);
+    } else {
+        end = begin_ + closing + 1;
+        report(DiagnosticId::pragma, range(begin, end));
+    }
+    add_trivia(TriviaKind::pragma, begin, end);
+    return end;
+}
+
+const char* Lexer::stray_pragma_end(const char* begin) {
+    const TextRange where = range(begin, begin + 1);
+    add_replacement(report(DiagnosticId::stray_pragma_end, where), where);
+    emit(TokenKind::unknown, begin, begin + 1, true);
+    return begin + 1;
+}
+
+// ---- characters --------------------------------------------------------------------------------
+
+const char* Lexer::non_ascii(const char* begin) {
+    const char* const end = extents_.word_end(begin);
+    const bool only_broken_bytes = std::all_of(
+        begin, end, [this](const char& c) { return !is_ascii(c) && !extents_.decode(&c).valid; });
+    return only_broken_bytes ? unexpected(begin) : long_word(begin);
+}
+
+// A run of characters that nothing begins with is one token with one report.
+const char* Lexer::unexpected(const char* begin) {
+    const DecodedCharacter first = extents_.decode(begin);
+    const char* p = begin;
+    for (;;) {
+        const CharacterClass found = class_of(*p);
+        const bool belongs = found == CharacterClass::unexpected ||
+                             (found == CharacterClass::zero && p != end_) ||
+                             (found == CharacterClass::bar && p[1] != '|') ||
+                             (found == CharacterClass::exclamation && p[1] != '=');
+        if (belongs)
+            ++p;
+        else if (found == CharacterClass::non_ascii &&
+                 (!extents_.decode(p).valid || extents_.foreign_letter_size(p) == 0))
+            p += extents_.decode(p).size;
+        else
+            break;
+    }
+    if (first.valid) // of broken bytes the encoding check speaks
+        report(DiagnosticId::unexpected_character, range(begin, p))
+            .arguments.emplace_back(first.code_point);
+    emit_any(TokenKind::unknown, begin, p, true);
+    return p;
+}
+
+// Reports the first byte of the text that is no part of a character, wherever it stands; where one
+// is, there are more, and for one reason.
+void Lexer::check_encoding() {
+    if (encoding_ == Encoding::iso_8859_1)
+        return; // every byte is a character
+    constexpr std::uint64_t high_bits = 0x8080808080808080U;
+    const char* p = begin_;
+    while (p != end_) {
+        std::uint64_t eight = 0;
+        if (end_ - p >= 8) {
+            std::memcpy(&eight, p, sizeof eight);
+            if ((eight & high_bits) == 0) {
+                p += sizeof eight;
+                continue;
+            }
+        }
+        const DecodedCharacter character = extents_.decode(p);
+        if (!character.valid) {
+            constexpr std::string_view digits = "0123456789ABCDEF";
+            const auto byte = static_cast<unsigned char>(*p);
+            Diagnostic& diagnostic =
+                report(DiagnosticId::broken_encoding, range(p, p + character.size));
+            diagnostic.arguments.emplace_back(std::string("16#") + digits[byte / 16] +
+                                              digits[byte % 16]);
+            diagnostic.arguments.emplace_back(std::string(to_string(encoding_)));
+            return;
+        }
+        p += character.size;
+    }
+}
+
+} // namespace
+
+LexedText lex(std::string_view text, Encoding encoding) {
+    return Lexer(text, encoding).run();
+}
+
+} // namespace iecfront

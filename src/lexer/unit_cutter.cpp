@@ -1,0 +1,205 @@
+#include "lexer/unit_cutter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace iecfront {
+
+namespace {
+
+struct Bracket {
+    TokenKind opener;
+    TokenKind closer;
+};
+
+// The library element declarations of B.0; none of them may stand inside another one.
+constexpr std::array brackets = {
+    Bracket{TokenKind::kw_function, TokenKind::kw_end_function},
+    Bracket{TokenKind::kw_function_block, TokenKind::kw_end_function_block},
+    Bracket{TokenKind::kw_program, TokenKind::kw_end_program},
+    Bracket{TokenKind::kw_type, TokenKind::kw_end_type},
+    Bracket{TokenKind::kw_configuration, TokenKind::kw_end_configuration},
+};
+
+// What a word means to the cutter, for one look-up a token.
+enum class Role : std::uint8_t {
+    none,
+    opener,           // of a library element
+    closer,           // of a library element
+    variables,        // opens a block of variables
+    global_variables, // the same, and outside everything else a unit of its own (an extension)
+    variables_end,
+    end, // closes something smaller
+};
+
+constexpr std::array variable_words = {
+    TokenKind::kw_var,        TokenKind::kw_var_input,  TokenKind::kw_var_output,
+    TokenKind::kw_var_in_out, TokenKind::kw_var_temp,   TokenKind::kw_var_external,
+    TokenKind::kw_var_access, TokenKind::kw_var_config,
+};
+constexpr std::array smaller_closers = {
+    TokenKind::kw_end_struct,     TokenKind::kw_end_resource, TokenKind::kw_end_step,
+    TokenKind::kw_end_transition, TokenKind::kw_end_action,   TokenKind::kw_end_if,
+    TokenKind::kw_end_case,       TokenKind::kw_end_for,      TokenKind::kw_end_while,
+    TokenKind::kw_end_repeat,
+};
+
+[[nodiscard]] consteval std::array<Role, token_kind_count> role_table() {
+    std::array<Role, token_kind_count> table{};
+    const auto set = [&table](TokenKind kind, Role role) {
+        table[static_cast<std::size_t>(kind)] = role;
+    };
+    for (const Bracket& bracket : brackets) {
+        set(bracket.opener, Role::opener);
+        set(bracket.closer, Role::closer);
+    }
+    for (const TokenKind kind : variable_words)
+        set(kind, Role::variables);
+    for (const TokenKind kind : smaller_closers)
+        set(kind, Role::end);
+    set(TokenKind::kw_var_global, Role::global_variables);
+    set(TokenKind::kw_end_var, Role::variables_end);
+    return table;
+}
+
+constexpr std::array<Role, token_kind_count> roles = role_table();
+
+[[nodiscard]] constexpr Role role_of(TokenKind kind) noexcept {
+    return roles[static_cast<std::size_t>(kind)];
+}
+
+// True for what can be the name of a library element, or a keyword wrongly used for one.
+[[nodiscard]] constexpr bool can_be_name(TokenKind kind) noexcept {
+    return kind == TokenKind::identifier || (is_keyword(kind) && role_of(kind) == Role::none);
+}
+
+class UnitCutter {
+public:
+    explicit UnitCutter(std::span<const Token> tokens) noexcept : tokens_(tokens) {}
+
+    std::vector<UnitCut> run();
+
+private:
+    void see(std::size_t i);
+    void close(std::size_t i);
+    void cut_before(std::size_t i);
+    [[nodiscard]] bool is_misused_name(std::size_t i) const noexcept;
+    [[nodiscard]] bool is_declaration_head(std::size_t i) const noexcept;
+    [[nodiscard]] bool begins_declaration(std::size_t i) const noexcept;
+    [[nodiscard]] bool is_program_configuration(std::size_t i) const noexcept;
+    [[nodiscard]] bool can_follow_name(TokenKind opener, Token token) const noexcept;
+
+    [[nodiscard]] Token at(std::size_t i) const noexcept {
+        return tokens_[std::min(i, tokens_.size() - 1)];
+    }
+
+    std::span<const Token> tokens_;
+    std::vector<UnitCut> cuts_;
+    std::size_t unit_begin_ = 0;
+    TokenKind open_ = TokenKind::end_of_unit; // the opener; end_of_unit when nothing is open
+};
+
+std::vector<UnitCut> UnitCutter::run() {
+    const std::size_t count = tokens_.size() - 1;
+    for (std::size_t i = 0; i < count; ++i)
+        see(i);
+    if (unit_begin_ < count || cuts_.empty())
+        cut_before(count);
+    return std::move(cuts_);
+}
+
+void UnitCutter::see(std::size_t i) {
+    const TokenKind kind = tokens_[i].kind();
+    const bool nothing_open = open_ == TokenKind::end_of_unit;
+    switch (role_of(kind)) {
+    case Role::closer: close(i); break;
+    case Role::variables_end:
+        if (open_ == TokenKind::kw_var_global)
+            close(i);
+        break;
+    case Role::global_variables:
+        if (nothing_open && !is_misused_name(i))
+            open_ = kind;
+        break;
+    case Role::opener:
+        if (!nothing_open && !is_declaration_head(i))
+            break;
+        if (!nothing_open)
+            cut_before(i);
+        if (!is_misused_name(i))
+            open_ = kind;
+        break;
+    default: break;
+    }
+}
+
+// Any closing word ends what is open, or what was left over before it. Whether it is the right one
+// is the parser's to say.
+void UnitCutter::close(std::size_t i) {
+    const bool with_semicolon = at(i + 1).kind() == TokenKind::semicolon;
+    cut_before(i + (with_semicolon ? 2 : 1));
+}
+
+void UnitCutter::cut_before(std::size_t i) {
+    cuts_.push_back({static_cast<std::uint32_t>(i)});
+    unit_begin_ = i;
+    open_ = TokenKind::end_of_unit;
+}
+
+// `TYPE : INT;`, `step.TYPE := 1`, `f(PROGRAM, 1)`: no declaration goes on like this.
+bool UnitCutter::is_misused_name(std::size_t i) const noexcept {
+    return is_delimiter(at(i + 1).kind());
+}
+
+// While something is open, an opener begins a new unit (and leaves the old one unclosed) only where
+// it is the head of a declaration and nothing else.
+bool UnitCutter::is_declaration_head(std::size_t i) const noexcept {
+    const TokenKind opener = tokens_[i].kind();
+    if (is_misused_name(i) || !begins_declaration(i))
+        return false;
+    const Token name = at(i + 1);
+    if (opener == TokenKind::kw_type) // the name may stand on the next line
+        return name.kind() == TokenKind::kw_end_type ||
+               (can_be_name(name.kind()) && at(i + 2).kind() == TokenKind::colon);
+    if (opener == TokenKind::kw_program && open_ == TokenKind::kw_configuration &&
+        is_program_configuration(i))
+        return false;
+    return can_be_name(name.kind()) && !name.first_on_line() && can_follow_name(opener, at(i + 2));
+}
+
+bool UnitCutter::begins_declaration(std::size_t i) const noexcept {
+    if (tokens_[i].first_on_line())
+        return true;
+    const TokenKind before = tokens_[i - 1].kind(); // the first token is first on its line
+    return before == TokenKind::semicolon || role_of(before) == Role::closer ||
+           role_of(before) == Role::variables_end || role_of(before) == Role::end;
+}
+
+// PROGRAM may stand inside a configuration: `PROGRAM [RETAIN | NON_RETAIN] name [WITH task] : type`
+// (B.1.7). That one goes on in its line, and with no block of variables.
+bool UnitCutter::is_program_configuration(std::size_t i) const noexcept {
+    const TokenKind qualifier = at(i + 1).kind();
+    if (qualifier == TokenKind::kw_retain || qualifier == TokenKind::kw_non_retain)
+        ++i;
+    const Token next = at(i + 2);
+    if (next.kind() == TokenKind::colon || next.kind() == TokenKind::kw_with)
+        return true;
+    const Role role = role_of(next.kind());
+    return !next.first_on_line() && role != Role::variables && role != Role::global_variables;
+}
+
+bool UnitCutter::can_follow_name(TokenKind opener, Token token) const noexcept {
+    if (token.kind() == TokenKind::colon)
+        return opener == TokenKind::kw_function;
+    return token.first_on_line() || !is_delimiter(token.kind()) ||
+           token.kind() == TokenKind::semicolon;
+}
+
+} // namespace
+
+std::vector<UnitCut> cut_units(std::span<const Token> tokens) {
+    return UnitCutter(tokens).run();
+}
+
+} // namespace iecfront
