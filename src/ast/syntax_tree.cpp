@@ -1,3 +1,5 @@
+#include "ast/slot_columns.hpp"
+
 #include <iecfront/ast/syntax_tree.hpp>
 
 #include <algorithm>
@@ -22,15 +24,8 @@ using Slot = SyntaxTree::Slot;
     return byte_order_mark_size(slot.unit->text(), slot.unit->encoding());
 }
 
-// How many columns the bytes [begin, end) of a unit take on their line.
-[[nodiscard]] std::uint32_t width(const Slot& slot, std::uint32_t begin, std::uint32_t end,
-                                  ColumnUnit unit) noexcept {
-    const std::uint32_t mark = inner_mark_size(slot, begin, unit);
-    const std::uint32_t of_mark = mark != 0 && mark <= end ? 1 : 0;
-    return of_mark + column_of(slot.unit->text(), begin, end, slot.unit->encoding(), unit) - 1;
-}
-
-// The inverse: the offset in the unit of 1-based `column`, counted from `begin`.
+// The inverse of `columns_between`: the offset in the unit of 1-based `column`, counted from
+// `begin`.
 [[nodiscard]] std::uint32_t offset_in_unit(const Slot& slot, std::uint32_t begin,
                                            std::uint32_t column, ColumnUnit unit) noexcept {
     if (inner_mark_size(slot, begin, unit) != 0) {
@@ -76,6 +71,13 @@ using Slot = SyntaxTree::Slot;
 
 } // namespace
 
+std::uint32_t columns_between(const SyntaxTree::Slot& slot, std::uint32_t begin, std::uint32_t end,
+                              ColumnUnit unit) noexcept {
+    const std::uint32_t mark = inner_mark_size(slot, begin, unit);
+    const std::uint32_t of_mark = mark != 0 && mark <= end ? 1 : 0;
+    return of_mark + column_of(slot.unit->text(), begin, end, slot.unit->encoding(), unit) - 1;
+}
+
 SyntaxTree::SyntaxTree(std::string name, Encoding encoding,
                        std::vector<std::shared_ptr<const Unit>> units, const ParseOptions& options)
     : name_(std::move(name)), encoding_(encoding), options_(options) {
@@ -113,12 +115,12 @@ Position SyntaxTree::position(std::uint32_t offset, ColumnUnit unit) const noexc
     std::uint32_t line = slot->unit->lines().line_of(end);
     Position position{slot->first_line + line + 1, 1};
     while (line == 0 && slot != slots_->data()) { // the line may begin in an earlier unit
-        position.column += width(*slot, 0, end, unit);
+        position.column += columns_between(*slot, 0, end, unit);
         --slot;
         end = size_of(*slot);
         line = slot->unit->lines().line_end_count();
     }
-    position.column += width(*slot, slot->unit->lines().line_start(line), end, unit);
+    position.column += columns_between(*slot, slot->unit->lines().line_start(line), end, unit);
     return position;
 }
 
@@ -132,7 +134,7 @@ std::uint32_t SyntaxTree::offset(Position position, ColumnUnit unit) const noexc
     std::uint32_t column = std::max(position.column, 1U);
     // The last line of a unit goes on in the next one.
     while (line_in_unit == slot->unit->lines().line_end_count() && slot != &slots_->back()) {
-        const std::uint32_t columns = width(*slot, begin, size_of(*slot), unit);
+        const std::uint32_t columns = columns_between(*slot, begin, size_of(*slot), unit);
         if (column <= columns)
             break;
         column -= columns;
