@@ -124,7 +124,7 @@ template<class Struct>
 void add_children(std::vector<Piece>& pieces, const Struct& node) {
     const auto add_label = [&](std::string_view name) {
         pieces.push_back({" "});
-        if (node_member_count < Struct >> 1)
+        if (1 < node_member_count<Struct>)
             pieces.insert(pieces.end(), {{name}, {":"}});
     };
     ast::for_each_member(node, [&](std::string_view name, const auto& value) {
@@ -248,7 +248,7 @@ void add_lines(std::vector<TreeLine>& pending, const Struct& parent, std::uint32
     const std::size_t first = pending.size();
     ast::for_each_member(parent, [&](std::string_view name, const auto& value) {
         using Member = std::remove_cvref_t<decltype(value)>;
-        const std::string_view shown = node_member_count<Struct> > 1 ? name : "";
+        const std::string_view shown = 1 < node_member_count<Struct> ? name : "";
         if constexpr (ast::is_child_member<Member>) {
             if (value != nullptr)
                 pending.push_back({value, shown, level});
