@@ -53,7 +53,7 @@ public:
         result_.depends_on_rest_from = static_cast<std::uint32_t>(text.size());
     }
 
-    LexedText run();
+    LexedText run(bool at_file_start);
 
 private:
     // Each takes the place where something begins, and gives the place behind it.
@@ -157,8 +157,11 @@ private:
     LexedText result_;
 };
 
-LexedText Lexer::run() {
-    const char* p = begin_ + byte_order_mark_size(text_, encoding_);
+LexedText Lexer::run(bool at_file_start) {
+    const char* p = begin_;
+    if (at_file_start)
+        p += byte_order_mark_size(text_, encoding_);
+    first_on_line_ = at_file_start;
     for (;;) {
         switch (class_of(*p)) {
         case CharacterClass::blank: ++p; break;
@@ -898,8 +901,8 @@ void Lexer::check_encoding() {
 
 } // namespace
 
-LexedText lex(std::string_view text, Encoding encoding) {
-    return Lexer(text, encoding).run();
+LexedText lex(std::string_view text, Encoding encoding, bool at_file_start) {
+    return Lexer(text, encoding).run(at_file_start);
 }
 
 } // namespace iecfront

@@ -22,6 +22,8 @@ struct LexedText {
 
 /// Reads `text`, which a zero byte must follow. Never fails: tokens, trivia and the white space
 /// between them give back every byte.
-[[nodiscard]] LexedText lex(std::string_view text, Encoding encoding);
+/// `at_file_start` is false for a text that goes on in the middle of a line: no byte order mark can
+/// stand there, and its first token is not the first on its line.
+[[nodiscard]] LexedText lex(std::string_view text, Encoding encoding, bool at_file_start = true);
 
 } // namespace iecfront

@@ -1,0 +1,405 @@
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/name.hpp>
+
+#include <array>
+
+namespace iecfront {
+namespace {
+
+constexpr TokenSet block_openers = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
+
+constexpr TokenSet element_words =
+    block_openers | TokenSet{TokenKind::kw_resource,          TokenKind::kw_task,
+                             TokenKind::kw_program,           TokenKind::kw_end_resource,
+                             TokenKind::kw_end_configuration, TokenKind::end_of_unit};
+
+/// The parts of a configuration or resource in the order of B.1.7.
+enum class Part : std::uint8_t { globals, resource, task, program, access, config };
+
+constexpr std::array<std::string_view, 6> part_names{"VAR_GLOBAL", "RESOURCE",   "TASK",
+                                                     "PROGRAM",    "VAR_ACCESS", "VAR_CONFIG"};
+
+std::optional<Part> part_of(const ast::Node& node) noexcept {
+    if (const auto* block = ast::as<ast::VariableDeclarations>(&node)) {
+        switch (block->block) {
+        case ast::VariableBlock::var_global: return Part::globals;
+        case ast::VariableBlock::var_access: return Part::access;
+        case ast::VariableBlock::var_config: return Part::config;
+        default: return std::nullopt;
+        }
+    }
+    switch (node.kind) {
+    case ast::NodeKind::resource_declaration: return Part::resource;
+    case ast::NodeKind::task_configuration: return Part::task;
+    case ast::NodeKind::program_configuration: return Part::program;
+    default: return std::nullopt;
+    }
+}
+
+std::string part_name(Part part) {
+    return std::string(part_names[static_cast<std::size_t>(part)]);
+}
+
+} // namespace
+
+// ---- configurations and resources ---------------------------------------------------------------
+
+// configuration_declaration = "CONFIGURATION" configuration_name
+//                             { global_var_declarations }
+//                             ( single_resource_declaration
+//                             | ( resource_declaration { resource_declaration } ) )
+//                             [ access_declarations ]
+//                             [ instance_specific_initializations ]
+//                             "END_CONFIGURATION" ;
+const ast::ConfigurationDeclaration* Parser::parse_configuration_declaration() {
+    auto* node = make<ast::ConfigurationDeclaration>();
+    place_ = Place::configuration;
+    open_block(TokenKind::kw_end_configuration, advance());
+    node->name = parse_declared_name("the name of a configuration");
+    if (at(TokenKind::semicolon))
+        accept_extra_semicolon("the head of a declaration");
+    node->elements = parse_configuration_elements(place_);
+    check_configuration_order(node->elements, node->first_token, place_);
+    close_block("");
+    return finish(node);
+}
+
+// resource_declaration = "RESOURCE" resource_name "ON" resource_type_name
+//                        { global_var_declarations }
+//                        single_resource_declaration
+//                        "END_RESOURCE" ;
+const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
+    auto* node = make<ast::ResourceDeclaration>();
+    open_block(TokenKind::kw_end_resource, advance());
+    node->name = parse_declared_name("the name of a resource");
+    expect(TokenKind::kw_on);
+    node->type = parse_name("the name of a resource type");
+    if (at(TokenKind::semicolon))
+        accept_extra_semicolon("the head of a resource");
+    node->elements = parse_configuration_elements(Place::resource);
+    check_configuration_order(node->elements, node->first_token, Place::resource);
+    close_block("");
+    finish(node);
+    accept_extra_semicolon("END_RESOURCE");
+    return node;
+}
+
+// single_resource_declaration = { task_configuration ";" }
+//                               program_configuration ";" { program_configuration ";" } ;
+ast::List<ast::Node> Parser::parse_configuration_elements(Place place) {
+    ListBuilder<ast::Node> elements(*this);
+    while (!at(TokenKind::end_of_unit) && !at(TokenKind::kw_end_configuration) &&
+           !(at(TokenKind::kw_end_resource) && is_open(TokenKind::kw_end_resource)) &&
+           !(at(TokenKind::kw_resource) && place == Place::resource) &&
+           !(place == Place::resource &&
+             (at(TokenKind::kw_var_access) || at(TokenKind::kw_var_config))) &&
+           !at_library_element_closer() && !at_misspelt_closer())
+        elements.add(parse_configuration_element(place));
+    return elements.finish();
+}
+
+const ast::Node* Parser::parse_configuration_element(Place place) {
+    if (at(block_openers))
+        return parse_variable_declarations(place);
+    switch (kind()) {
+    case TokenKind::kw_resource: return parse_resource_declaration();
+    case TokenKind::kw_task: {
+        const auto* task = parse_task_configuration();
+        expect_semicolon_of_configuration();
+        return task;
+    }
+    case TokenKind::kw_program: {
+        const auto* program = parse_program_configuration();
+        expect_semicolon_of_configuration();
+        return program;
+    }
+    default: break;
+    }
+    auto* skipped = make<ast::SkippedText>();
+    report_at(at_, DiagnosticId::not_a_declaration,
+              {"RESOURCE, TASK, PROGRAM or a declaration block", describe(at_)});
+    advance();
+    while (!at(element_words) && !accept(TokenKind::semicolon) && !at_library_element_closer())
+        advance();
+    return finish(skipped);
+}
+
+void Parser::expect_semicolon_of_configuration() {
+    if (accept(TokenKind::semicolon))
+        return;
+    if (at(element_words) || token().first_on_line() || at_library_element_closer()) {
+        report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+        return;
+    }
+    report_unexpected("`;`");
+    while (!at(element_words) && !at(TokenKind::semicolon) && !at_library_element_closer())
+        skip_balanced();
+    accept(TokenKind::semicolon);
+}
+
+/// The order of the parts, that there is a program, and that resources and the contents of a single
+/// one do not stand side by side.
+void Parser::check_configuration_order(const ast::List<ast::Node>& elements, std::uint32_t head,
+                                       Place place) {
+    std::optional<Part> last;
+    bool resources = false;
+    bool programs = false;
+    bool skipped = false;
+    for (const ast::Node* element : elements) {
+        const std::optional<Part> part = part_of(*element);
+        skipped = skipped || !part;
+        if (!part)
+            continue;
+        const bool single = *part == Part::task || *part == Part::program;
+        if ((single && resources) || (*part == Part::resource && programs))
+            report_at(element->first_token, DiagnosticId::programs_beside_resources);
+        else if (last && *part < *last)
+            report_at(element->first_token, DiagnosticId::configuration_order,
+                      {part_name(*part), part_name(*last)});
+        resources = resources || *part == Part::resource;
+        programs = programs || *part == Part::program;
+        last = part;
+    }
+    if (resources || programs || skipped)
+        return;
+    report(DiagnosticId::configuration_without_program, tokens_[head].range(),
+           {place == Place::resource ? "a resource" : "a configuration",
+            place == Place::resource ? "PROGRAM" : "RESOURCE or PROGRAM"});
+}
+
+// ---- tasks --------------------------------------------------------------------------------------
+
+// task_configuration = "TASK" task_name task_initialization ;
+// task_initialization = "(" [ "SINGLE" ":=" data_source "," ] [ "INTERVAL" ":=" data_source "," ]
+//                       "PRIORITY" ":=" integer ")" ;
+const ast::TaskConfiguration* Parser::parse_task_configuration() {
+    auto* node = make<ast::TaskConfiguration>();
+    advance();
+    node->name = parse_declared_name("the name of a task");
+    if (expect(TokenKind::left_parenthesis)) {
+        ListBuilder<ast::TaskInitialization> initializations(*this);
+        if (!at(TokenKind::right_parenthesis)) {
+            do
+                initializations.add(parse_task_initialization());
+            while (accept(TokenKind::comma) || accept_missing_comma());
+        }
+        expect_closing(TokenKind::right_parenthesis);
+        node->initializations = initializations.finish();
+        finish(node);
+        check_task(*node);
+    }
+    return finish(node);
+}
+
+const ast::TaskInitialization* Parser::parse_task_initialization() {
+    auto* node = make<ast::TaskInitialization>();
+    const bool priority = at_word("PRIORITY");
+    if (!priority && !at_word("SINGLE") && !at_word("INTERVAL"))
+        report_unexpected("SINGLE, INTERVAL or PRIORITY");
+    node->name = parse_name("SINGLE, INTERVAL or PRIORITY");
+    expect_assign();
+    node->value = priority ? parse_integer("a priority") : parse_data_source("a source");
+    return finish(node);
+}
+
+void Parser::check_task(const ast::TaskConfiguration& task) {
+    static constexpr std::array<std::string_view, 3> order{"SINGLE", "INTERVAL", "PRIORITY"};
+    std::size_t expected = 0;
+    bool known = true;
+    bool priority = false;
+    for (const ast::TaskInitialization* part : task.initializations) {
+        if (part->name->missing)
+            return;
+        std::size_t index = 0;
+        while (index < order.size() && !names_equal(text(part->name->first_token), order[index]))
+            ++index;
+        known = known && index < order.size();
+        if (known && index < expected)
+            report_at(part->first_token, DiagnosticId::task_initialization_order,
+                      {std::string(order[index]), std::string(order[expected - 1])});
+        expected = std::max(expected, index + 1);
+        priority = priority || index == 2;
+    }
+    if (known && !priority)
+        report(DiagnosticId::task_without_priority,
+               token_range(task.name->first_token, task.name->end_token));
+}
+
+// data_source = constant | global_var_reference | program_output_reference | direct_variable ;
+// prog_data_source = constant | enumerated_value | global_var_reference | direct_variable ;
+// data_sink = global_var_reference | direct_variable ;
+const ast::Expression* Parser::parse_data_source(std::string what) {
+    if (at(TokenKind::direct_variable))
+        return parse_direct_variable();
+    if (at(TokenKind::enumerated_value))
+        return parse_enumerated_value();
+    if (at(TokenKind::identifier))
+        return parse_reference(std::move(what), 3);
+    const ast::Expression* value = parse_expression();
+    if (!value->missing && !ast::is<ast::Constant>(value->kind) &&
+        value->kind != ast::NodeKind::error_expression)
+        report_node(*value, DiagnosticId::long_reference, {"an expression", std::move(what)});
+    return value;
+}
+
+/// A path of names: `[ resource_name "." ] global_var_name [ "." structure_element_name ]`, or
+/// `program_name "." symbolic_variable`. Subscripts and longer paths are extensions (6.1 D32).
+const ast::Expression* Parser::parse_reference(std::string what, std::uint32_t maximum_names) {
+    const ast::Expression* path = parse_variable();
+    std::uint32_t names = 1;
+    bool simple = true;
+    const ast::Expression* head = path;
+    while (const auto* field = ast::as<ast::StructuredVariable>(head)) {
+        ++names;
+        head = field->record_variable;
+    }
+    simple = head->kind == ast::NodeKind::variable_name;
+    if (!simple || names > maximum_names)
+        report_node(*path, DiagnosticId::long_reference,
+                    {simple ? "a path of " + std::to_string(names) + " names"
+                            : "a path with subscripts or a call",
+                     std::move(what)});
+    return path;
+}
+
+// ---- programs -----------------------------------------------------------------------------------
+
+// program_configuration = "PROGRAM" [ "RETAIN" | "NON_RETAIN" ] program_name [ "WITH" task_name ]
+//                         ":" program_type_name [ "(" prog_conf_elements ")" ] ;
+const ast::ProgramConfiguration* Parser::parse_program_configuration() {
+    auto* node = make<ast::ProgramConfiguration>();
+    advance();
+    if (at(TokenKind::kw_constant))
+        report_at(at_, DiagnosticId::qualifier_of_block, {std::string(text(at_)), "PROGRAM"});
+    node->qualifier = parse_block_qualifiers();
+    node->name = parse_declared_name("the name of a program");
+    if (accept(TokenKind::kw_with))
+        node->task = parse_name("the name of a task");
+    expect_colon();
+    node->type = parse_name("the name of a program type");
+    if (accept(TokenKind::left_parenthesis)) {
+        ListBuilder<ast::Node> elements(*this);
+        do
+            elements.add(parse_prog_conf_element());
+        while (accept(TokenKind::comma) || accept_missing_comma());
+        expect_closing(TokenKind::right_parenthesis);
+        node->elements = elements.finish();
+    }
+    return finish(node);
+}
+
+// prog_conf_element = fb_task | prog_cnxn ;
+// fb_task = fb_name "WITH" task_name ;
+// prog_cnxn = symbolic_variable ":=" prog_data_source | symbolic_variable "=>" data_sink ;
+const ast::Node* Parser::parse_prog_conf_element() {
+    const std::uint32_t first = at_;
+    const ast::Expression* variable = at(TokenKind::identifier) || at_operand_keyword()
+                                          ? parse_variable()
+                                          : parse_missing_expression();
+    if (accept(TokenKind::kw_with)) {
+        auto* task = make<ast::FbTask>();
+        task->first_token = first;
+        task->fb_name = variable;
+        if (variable->kind != ast::NodeKind::variable_name)
+            report_node(*variable, DiagnosticId::long_reference,
+                        {"a nested instance", "the instance of a task"});
+        task->task = parse_name("the name of a task");
+        return finish(task);
+    }
+    auto* connection = make<ast::ProgCnxn>();
+    connection->first_token = variable->missing ? variable->first_token : first;
+    connection->variable = variable;
+    connection->output = accept(TokenKind::output_arrow);
+    if (!connection->output)
+        expect_assign();
+    connection->operand = parse_data_source(connection->output ? "a sink" : "a source");
+    if (connection->output && !connection->operand->missing &&
+        (ast::is<ast::Constant>(connection->operand->kind) ||
+         connection->operand->kind == ast::NodeKind::enumerated_value))
+        report_node(*connection->operand, DiagnosticId::unexpected_token,
+                    {"a variable after `=>`", "a constant"});
+    return finish(connection);
+}
+
+// ---- access paths and instance-specific initial values ------------------------------------------
+
+// access_declaration = access_name ":" access_path ":" non_generic_type_name [ direction ] ;
+// program_access_decl = access_name ":" symbolic_variable ":" non_generic_type_name [ direction ] ;
+// direction = "READ_WRITE" | "READ_ONLY" ;
+const ast::AccessDeclaration* Parser::parse_access_declaration(Place place) {
+    auto* node = make<ast::AccessDeclaration>();
+    node->name = parse_declared_name("the name of an access path");
+    expect_colon();
+    node->path = parse_access_path(place);
+    expect_colon();
+    node->specification = parse_type_specification();
+    check_element_type_of_access(*node->specification);
+    if (at(TokenKind::kw_read_only) || at(TokenKind::kw_read_write))
+        node->direction = tokens_[advance()].kind() == TokenKind::kw_read_only
+                              ? ast::Direction::read_only
+                              : ast::Direction::read_write;
+    finish(node);
+    expect_semicolon_of_declaration();
+    return node;
+}
+
+void Parser::check_element_type_of_access(const ast::TypeSpecification& type) {
+    switch (type.kind) {
+    case ast::NodeKind::elementary_type_name:
+    case ast::NodeKind::derived_type_name:
+    case ast::NodeKind::error_type: return;
+    default:
+        report_node(type, DiagnosticId::long_reference,
+                    {"a type written out", "the type of an access path"});
+    }
+}
+
+// access_path = [ resource_name "." ] direct_variable
+//             | [ resource_name "." ] [ program_name "." ] { fb_name "." } symbolic_variable ;
+const ast::Expression* Parser::parse_access_path(Place place) {
+    if (at(TokenKind::direct_variable) && place != Place::program)
+        return parse_direct_variable();
+    if (!at(TokenKind::identifier) && !at_operand_keyword())
+        return parse_missing_expression();
+    const ast::Expression* head = parse_variable_name();
+    if (at(TokenKind::dot) && peek() == TokenKind::direct_variable) {
+        auto* node = make_from<ast::StructuredVariable>(head);
+        advance();
+        node->record_variable = head;
+        node->field_selector = parse_direct_variable();
+        return finish(node);
+    }
+    return parse_selectors(head);
+}
+
+// instance_specific_init = resource_name "." program_name "." { fb_name "." }
+//     ( ( variable_name [ location ] ":" located_var_spec_init )
+//     | ( fb_name ":" function_block_type_name ":=" structure_initialization ) ) ;
+const ast::InstanceSpecificInit* Parser::parse_instance_specific_init() {
+    auto* node = make<ast::InstanceSpecificInit>();
+    ListBuilder<ast::Identifier> path(*this);
+    do
+        path.add(parse_name("the path of a variable"));
+    while (accept(TokenKind::dot));
+    node->path = path.finish();
+    if (node->path.size() < 3 && !node->path.back()->missing)
+        report(DiagnosticId::incomplete_access_path,
+               token_range(node->path.front()->first_token, node->path.back()->end_token),
+               {"the path `resource.program.variable`"});
+    node->location = parse_optional_location();
+    expect_colon();
+    node->specification = parse_type_specification();
+    node->initial_value = parse_optional_initial_value();
+    finish(node);
+    if (node->location != nullptr && at_incomplete(*node->location))
+        report_node(*node->location, DiagnosticId::incomplete_location);
+    expect_semicolon_of_declaration();
+    return node;
+}
+
+bool Parser::at_incomplete(const ast::Location& location) const noexcept {
+    return tokens_[location.end_token - 1].kind() == TokenKind::incomplete_location;
+}
+
+} // namespace iecfront

@@ -1,0 +1,109 @@
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/name.hpp>
+
+namespace iecfront {
+namespace {
+
+constexpr TokenSet literals = TokenSet::range(TokenKind::integer, TokenKind::date_and_time) |
+                              TokenSet{TokenKind::kw_true, TokenKind::kw_false};
+
+constexpr TokenSet numbers{TokenKind::integer, TokenKind::real};
+
+// The kind of a typed literal is that of the type before its `#`.
+ast::NodeKind typed_literal_kind(std::string_view text) noexcept {
+    const std::string_view type = text.substr(0, text.find('#'));
+    for (const std::string_view name : {"BYTE", "WORD", "DWORD", "LWORD"})
+        if (names_equal(type, name))
+            return ast::NodeKind::bit_string_literal;
+    if (names_equal(type, "REAL") || names_equal(type, "LREAL"))
+        return ast::NodeKind::real_literal;
+    return names_equal(type, "BOOL") ? ast::NodeKind::boolean_literal
+                                     : ast::NodeKind::integer_literal;
+}
+
+ast::NodeKind literal_kind(TokenKind kind, std::string_view text) noexcept {
+    switch (kind) {
+    case TokenKind::real: return ast::NodeKind::real_literal;
+    case TokenKind::typed_literal: return typed_literal_kind(text);
+    case TokenKind::single_byte_string:
+    case TokenKind::double_byte_string: return ast::NodeKind::character_string;
+    case TokenKind::duration: return ast::NodeKind::duration;
+    case TokenKind::time_of_day: return ast::NodeKind::time_of_day;
+    case TokenKind::date: return ast::NodeKind::date;
+    case TokenKind::date_and_time: return ast::NodeKind::date_and_time;
+    case TokenKind::kw_true:
+    case TokenKind::kw_false: return ast::NodeKind::boolean_literal;
+    default: return ast::NodeKind::integer_literal;
+    }
+}
+
+} // namespace
+
+bool Parser::at_literal() const noexcept {
+    return at(literals);
+}
+
+/// True at `+` or `-` with a decimal number directly behind it: the sign is part of the constant.
+bool Parser::at_signed_number() const noexcept {
+    return (at(TokenKind::minus) || at(TokenKind::plus)) && numbers.contains(peek()) &&
+           adjoins_next();
+}
+
+// constant = numeric_literal | character_string | time_literal | bit_string_literal
+//          | boolean_literal ;
+const ast::Expression* Parser::parse_constant() {
+    const std::uint32_t first = at_;
+    if (at(TokenKind::minus) || at(TokenKind::plus))
+        advance();
+    const auto build = [&]<class T>(T* node) -> const ast::Expression* {
+        node->first_token = first;
+        node->literal_token = advance();
+        return finish(node);
+    };
+    switch (literal_kind(kind(), text(at_))) {
+    case ast::NodeKind::real_literal: return build(make<ast::RealLiteral>());
+    case ast::NodeKind::bit_string_literal: return build(make<ast::BitStringLiteral>());
+    case ast::NodeKind::boolean_literal: return build(make<ast::BooleanLiteral>());
+    case ast::NodeKind::character_string: return build(make<ast::CharacterString>());
+    case ast::NodeKind::duration: return build(make<ast::Duration>());
+    case ast::NodeKind::time_of_day: return build(make<ast::TimeOfDay>());
+    case ast::NodeKind::date: return build(make<ast::Date>());
+    case ast::NodeKind::date_and_time: return build(make<ast::DateAndTime>());
+    default: return build(make<ast::IntegerLiteral>());
+    }
+}
+
+/// signed_integer = [ "+" | "-" ] integer ;
+bool Parser::is_signed_integer(const ast::Expression& expression) const noexcept {
+    const auto* literal = ast::as<ast::IntegerLiteral>(&expression);
+    return literal != nullptr && tokens_[literal->literal_token].kind() == TokenKind::integer;
+}
+
+/// Where the standard has a `signed_integer` only: anything else is an extension.
+const ast::Expression* Parser::parse_constant_expression(std::string what) {
+    const bool apart = (at(TokenKind::minus) || at(TokenKind::plus)) &&
+                       peek() == TokenKind::integer && !adjoins_next();
+    const std::uint32_t sign = at_;
+    const ast::Expression* expression = parse_expression();
+    if (expression->missing || is_signed_integer(*expression))
+        return expression;
+    if (apart && expression->end_token == next(sign) + 1) {
+        const TextRange gap{tokens_[sign].end(), tokens_[next(sign)].offset()};
+        report(DiagnosticId::sign_apart_from_number, gap).remove(gap);
+    } else if (expression->kind != ast::NodeKind::error_expression) {
+        report_node(*expression, DiagnosticId::constant_expression, {std::move(what)});
+    }
+    return expression;
+}
+
+/// Where the standard has an unsigned `integer` only.
+const ast::Expression* Parser::parse_integer(std::string what) {
+    const bool sign = at(TokenKind::minus) || at(TokenKind::plus);
+    const ast::Expression* expression = parse_constant_expression(what);
+    if (sign && is_signed_integer(*expression))
+        report_node(*expression, DiagnosticId::constant_expression, {std::move(what)});
+    return expression;
+}
+
+} // namespace iecfront

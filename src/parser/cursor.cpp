@@ -1,0 +1,219 @@
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/name.hpp>
+#include <iecfront/lexer/standard_names.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace iecfront {
+
+Parser::Parser(std::string_view text, std::span<const Token> tokens, Arena& arena,
+               const ParseOptions& options)
+    : text_(text),
+      tokens_(tokens.data()),
+      count_(static_cast<std::uint32_t>(tokens.size()) - 1),
+      arena_(arena),
+      options_(options) {
+    while (at(TokenKind::unknown))
+        ++at_;
+}
+
+// ---- tokens -------------------------------------------------------------------------------------
+
+std::string_view Parser::text(std::uint32_t index) const noexcept {
+    return text_.substr(tokens_[index].offset(), tokens_[index].length());
+}
+
+bool Parser::at_word(std::string_view word) const noexcept {
+    return at(TokenKind::identifier) && names_equal(text(at_), word);
+}
+
+bool Parser::adjoins_next() const noexcept {
+    return tokens_[at_].end() == tokens_[at_ + 1].offset();
+}
+
+bool Parser::on_same_line(std::uint32_t first, std::uint32_t second) const noexcept {
+    for (std::uint32_t i = first + 1; i <= second; ++i)
+        if (tokens_[i].first_on_line())
+            return false;
+    return true;
+}
+
+std::uint32_t Parser::column(std::uint32_t index) const noexcept {
+    const std::uint32_t offset = tokens_[index].offset();
+    std::uint32_t begin = offset;
+    while (begin > 0 && text_[begin - 1] != '\n' && text_[begin - 1] != '\r')
+        --begin;
+    return offset - begin;
+}
+
+bool Parser::expect(TokenKind expected) {
+    if (accept(expected))
+        return true;
+    const bool intruder = peek() == expected && !at_end() && !is_keyword(kind()) &&
+                          !at(TokenKind::semicolon) && on_same_line(at_, next(at_));
+    if (intruder) {
+        report_unexpected("`" + std::string(spelling(expected)) + "`").remove(tokens_[at_].range());
+        advance();
+        return accept(expected);
+    }
+    const std::string words(spelling(expected));
+    const bool word = is_keyword(expected);
+    report_missing(DiagnosticId::missing_token, {"`" + words + "`"})
+        .insert(previous_end(), word ? " " + words : words);
+    return false;
+}
+
+// ---- nodes --------------------------------------------------------------------------------------
+
+bool Parser::NestingGuard::too_deep() const {
+    if (parser_.nesting_ <= parser_.options_.maximum_nesting)
+        return false;
+    if (!std::exchange(parser_.nesting_reported_, true))
+        parser_.report(DiagnosticId::nesting_too_deep, parser_.token().range(),
+                       {std::uint64_t{parser_.options_.maximum_nesting}});
+    return true;
+}
+
+// ---- reports ------------------------------------------------------------------------------------
+
+Parser::Report& Parser::Report::label(LabelId id, std::uint32_t token) {
+    if (index_)
+        parser_.diagnostics_[*index_].labels.push_back(
+            {parser_.tokens_[token].range(), id, std::string(parser_.text(token))});
+    return *this;
+}
+
+Parser::Report& Parser::Report::replace(TextRange range, std::string words) {
+    if (index_)
+        parser_.diagnostics_[*index_].fixes.push_back({{{range, std::move(words)}}});
+    return *this;
+}
+
+Parser::Report& Parser::Report::insert(std::uint32_t offset, std::string words) {
+    return replace({offset, offset}, std::move(words));
+}
+
+Parser::Report& Parser::Report::remove(TextRange range) {
+    return replace(range, {});
+}
+
+Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments arguments) {
+    diagnostics_.push_back({id, range, std::move(arguments), {}, {}});
+    return {*this, diagnostics_.size() - 1};
+}
+
+Parser::Report Parser::report_at(std::uint32_t token, DiagnosticId id, Arguments arguments) {
+    if (std::exchange(reported_at_, token) == token)
+        return {*this, std::nullopt};
+    return report(id, tokens_[token].range(), std::move(arguments));
+}
+
+Parser::Report Parser::report_node(const ast::Node& node, DiagnosticId id, Arguments arguments) {
+    return report(id, token_range(node.first_token, node.end_token), std::move(arguments));
+}
+
+Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
+    // A string that nothing closes has taken the rest of its line, what is missing here with it.
+    const bool swallowed = end_ > 0 && tokens_[end_ - 1].malformed() && token().first_on_line() &&
+                           (tokens_[end_ - 1].kind() == TokenKind::single_byte_string ||
+                            tokens_[end_ - 1].kind() == TokenKind::double_byte_string);
+    if (std::exchange(reported_at_, at_) == at_ || swallowed)
+        return {*this, std::nullopt};
+    return report(id, {previous_end(), previous_end()}, std::move(arguments));
+}
+
+Parser::Report Parser::report_unexpected(std::string what) {
+    return report_at(at_, DiagnosticId::unexpected_token, {std::move(what), describe(at_)});
+}
+
+std::uint32_t Parser::previous_end() const noexcept {
+    return end_ > 0 ? tokens_[end_ - 1].end() : token().offset();
+}
+
+std::string Parser::quoted(std::uint32_t index) const {
+    return "`" + std::string(text(index)) + "`";
+}
+
+std::string Parser::describe(std::uint32_t index) const {
+    return index == count_ ? std::string(spelling(TokenKind::end_of_unit)) : quoted(index);
+}
+
+TextRange Parser::token_range(std::uint32_t first, std::uint32_t end) const noexcept {
+    if (first == end) {
+        const std::uint32_t offset = first > 0 ? tokens_[first - 1].end() : tokens_[0].offset();
+        return {offset, offset};
+    }
+    return {tokens_[first].offset(), tokens_[end - 1].end()};
+}
+
+// ---- names --------------------------------------------------------------------------------------
+
+const ast::Identifier* Parser::make_identifier() {
+    auto* name = make<ast::Identifier>();
+    name->hash = hash_name(text(at_));
+    advance();
+    return finish(name);
+}
+
+const ast::Identifier* Parser::make_missing_identifier(std::string what) {
+    report_at(at_, DiagnosticId::missing_name, {std::move(what), describe(at_)});
+    return make_missing<ast::Identifier>();
+}
+
+const ast::Identifier* Parser::parse_name(std::string what) {
+    if (at(TokenKind::identifier))
+        return make_identifier();
+    if (is_keyword(kind()) && (used_as_name(kind()) || at_operand_keyword())) {
+        report_reserved_word(at_);
+        return make_identifier();
+    }
+    return make_missing_identifier(std::move(what));
+}
+
+const ast::Identifier* Parser::parse_declared_name(std::string what) {
+    // A keyword is taken for a name when what follows can only follow a name.
+    static constexpr TokenSet after_name{TokenKind::colon,
+                                         TokenKind::comma,
+                                         TokenKind::kw_at,
+                                         TokenKind::left_parenthesis,
+                                         TokenKind::assign,
+                                         TokenKind::semicolon,
+                                         TokenKind::kw_on,
+                                         TokenKind::kw_with,
+                                         TokenKind::right_parenthesis};
+    if (is_keyword(kind()) && (after_name.contains(peek()) || tokens_[next(at_)].first_on_line())) {
+        report_reserved_word(at_);
+        return make_identifier();
+    }
+    if (!at(TokenKind::identifier))
+        return make_missing_identifier(std::move(what));
+    if (const StandardName standard = standard_name(text(at_)); standard != StandardName::none)
+        report(DiagnosticId::standard_name_as_name, token().range(),
+               {std::string(text(at_)),
+                standard == StandardName::function ? "function" : "function block"});
+    return make_identifier();
+}
+
+bool Parser::used_as_name(TokenKind kind) const noexcept {
+    return std::any_of(reserved_words_.begin(), reserved_words_.end(),
+                       [kind](const ReservedWord& word) { return word.kind == kind; });
+}
+
+/// The first use is reported, and its fix renames every use in the unit.
+void Parser::report_reserved_word(std::uint32_t token) {
+    const TokenKind keyword = tokens_[token].kind();
+    const TextEdit edit{tokens_[token].range(), std::string(text(token)) + "_1"};
+    for (const ReservedWord& word : reserved_words_)
+        if (word.kind == keyword) {
+            diagnostics_[word.diagnostic].fixes.front().edits.push_back(edit);
+            return;
+        }
+    const std::string words(text(token));
+    const Report first = report(DiagnosticId::reserved_word_as_name, edit.range, {words});
+    diagnostics_[first.index()].fixes.push_back({{edit}});
+    reserved_words_.push_back({keyword, first.index()});
+}
+
+} // namespace iecfront

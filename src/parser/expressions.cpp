@@ -1,0 +1,425 @@
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/literals.hpp>
+#include <iecfront/lexer/name.hpp>
+
+#include <array>
+#include <utility>
+
+namespace iecfront {
+namespace {
+
+/// A row of Table 55. A larger `strength` binds tighter; 0 is no operator.
+struct OperatorRow {
+    unsigned strength = 0;
+    ast::BinaryOperator op = ast::BinaryOperator::power;
+    std::string_view meant; ///< what to write instead, for an operator of another language
+};
+
+constexpr OperatorRow operator_row(TokenKind kind) noexcept {
+    using enum ast::BinaryOperator;
+    switch (kind) {
+    case TokenKind::kw_or: return {1, logical_or, {}};
+    case TokenKind::bar_bar: return {1, logical_or, "OR"};
+    case TokenKind::kw_xor: return {2, exclusive_or, {}};
+    case TokenKind::kw_and:
+    case TokenKind::ampersand: return {3, logical_and, {}};
+    case TokenKind::ampersand_ampersand: return {3, logical_and, "AND"};
+    case TokenKind::equal: return {4, equal, {}};
+    case TokenKind::equal_equal: return {4, equal, "="};
+    case TokenKind::not_equal: return {4, not_equal, {}};
+    case TokenKind::exclamation_equal: return {4, not_equal, "<>"};
+    case TokenKind::less: return {5, less, {}};
+    case TokenKind::greater: return {5, greater, {}};
+    case TokenKind::less_equal: return {5, less_equal, {}};
+    case TokenKind::greater_equal: return {5, greater_equal, {}};
+    case TokenKind::plus: return {6, add, {}};
+    case TokenKind::minus: return {6, subtract, {}};
+    case TokenKind::star: return {7, multiply, {}};
+    case TokenKind::slash: return {7, divide, {}};
+    case TokenKind::kw_mod: return {7, modulo, {}};
+    case TokenKind::power: return {8, power, {}};
+    default: return {};
+    }
+}
+
+constexpr auto operator_table = [] {
+    std::array<OperatorRow, token_kind_count> table{};
+    for (std::size_t i = 0; i < token_kind_count; ++i)
+        table[i] = operator_row(static_cast<TokenKind>(i));
+    return table;
+}();
+
+// A word in the place of a delimiter must not run into its neighbours.
+std::string spaced(std::string_view meant) {
+    const bool word = fold(meant.front()) >= 'A' && fold(meant.front()) <= 'Z';
+    return word ? " " + std::string(meant) + " " : std::string(meant);
+}
+
+constexpr unsigned weakest = 1;
+constexpr unsigned equality = 4;
+
+// Keywords that name a standard function as well (2.5.1.5).
+constexpr TokenSet operator_functions{TokenKind::kw_and, TokenKind::kw_or, TokenKind::kw_xor,
+                                      TokenKind::kw_mod, TokenKind::kw_not};
+
+// Keywords with no part in statements and expressions: in an expression they can only be meant as
+// names.
+constexpr TokenSet foreign_keywords =
+    TokenSet::range(TokenKind::kw_bool, TokenKind::kw_type) |
+    TokenSet{TokenKind::kw_function,     TokenKind::kw_function_block,
+             TokenKind::kw_program,      TokenKind::kw_configuration,
+             TokenKind::kw_struct,       TokenKind::kw_array,
+             TokenKind::kw_constant,     TokenKind::kw_retain,
+             TokenKind::kw_non_retain,   TokenKind::kw_at,
+             TokenKind::kw_r_edge,       TokenKind::kw_f_edge,
+             TokenKind::kw_read_only,    TokenKind::kw_read_write,
+             TokenKind::kw_resource,     TokenKind::kw_on,
+             TokenKind::kw_task,         TokenKind::kw_with,
+             TokenKind::kw_initial_step, TokenKind::kw_step,
+             TokenKind::kw_transition,   TokenKind::kw_from,
+             TokenKind::kw_action};
+
+constexpr TokenSet execution_control{TokenKind::kw_en, TokenKind::kw_eno};
+
+} // namespace
+
+unsigned Parser::operator_strength(TokenKind kind) noexcept {
+    return operator_table[static_cast<std::size_t>(kind)].strength;
+}
+
+bool Parser::at_operand_keyword() const noexcept {
+    return at(execution_control) || at(foreign_keywords);
+}
+
+bool Parser::at_expression_start() const noexcept {
+    static constexpr TokenSet starts{TokenKind::identifier,      TokenKind::enumerated_value,
+                                     TokenKind::direct_variable, TokenKind::left_parenthesis,
+                                     TokenKind::minus,           TokenKind::plus,
+                                     TokenKind::kw_not,          TokenKind::kw_en,
+                                     TokenKind::kw_eno};
+    return at(starts) || at_literal();
+}
+
+// expression = xor_expression { "OR" xor_expression } ;
+const ast::Expression* Parser::parse_expression() {
+    return parse_binary(weakest);
+}
+
+/// An expression where an assignment cannot stand: `:=` is taken for `=`.
+const ast::Expression* Parser::parse_condition() {
+    const bool outer = std::exchange(in_condition_, true);
+    const ast::Expression* condition = parse_expression();
+    in_condition_ = outer;
+    return condition;
+}
+
+// xor_expression = and_expression { "XOR" and_expression } ;
+// and_expression = comparison { ( "&" | "AND" ) comparison } ;
+// comparison = equ_expression { ( "=" | "<>" ) equ_expression } ;
+// equ_expression = add_expression { comparison_operator add_expression } ;
+// add_expression = term { add_operator term } ;
+// term = power_expression { multiply_operator power_expression } ;
+// power_expression = unary_expression { "**" unary_expression } ;
+const ast::Expression* Parser::parse_binary(unsigned minimum) {
+    return parse_binary_rest(parse_unary(), minimum);
+}
+
+/// Precedence climbing over Table 55; all operators associate to the left.
+const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
+    for (;;) {
+        OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
+        if (in_condition_ && at(TokenKind::assign)) {
+            row = {equality, ast::BinaryOperator::equal, {}};
+            if (minimum <= equality)
+                report_at(at_, DiagnosticId::assignment_for_equal).replace(token().range(), "=");
+        }
+        if (row.strength < minimum || row.strength == 0)
+            return left;
+        if (!row.meant.empty())
+            report_at(at_, DiagnosticId::foreign_operator,
+                      {std::string(text(at_)), std::string(row.meant)})
+                .replace(token().range(), spaced(row.meant));
+        auto* node = make_from<ast::BinaryExpression>(left);
+        advance();
+        node->op = row.op;
+        node->left = left;
+        node->right = parse_binary(row.strength + 1);
+        left = finish(node);
+    }
+}
+
+// unary_expression = [ unary_operator ] primary_expression ;
+const ast::Expression* Parser::parse_unary() {
+    if (at_signed_number())
+        return parse_constant();
+    const bool minus = at(TokenKind::minus);
+    const bool plus = at(TokenKind::plus);
+    if (!minus && !plus && !at(TokenKind::kw_not))
+        return parse_primary();
+    if (at(TokenKind::kw_not) && peek() == TokenKind::left_parenthesis && formal_list_follows())
+        return parse_operator_call();
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_expression();
+    auto* node = make<ast::UnaryExpression>();
+    node->op = minus  ? ast::UnaryOperator::minus
+               : plus ? ast::UnaryOperator::plus
+                      : ast::UnaryOperator::logical_not;
+    const std::uint32_t sign = advance();
+    if (plus)
+        report_at(sign, DiagnosticId::unary_plus).remove(tokens_[sign].range());
+    const bool repeated = (at(TokenKind::minus) || at(TokenKind::plus) || at(TokenKind::kw_not)) &&
+                          !at_signed_number();
+    if (repeated && !plus)
+        report_at(at_, DiagnosticId::repeated_unary_operator);
+    node->operand = parse_unary();
+    return finish(node);
+}
+
+// primary_expression = constant | enumerated_value | variable | "(" expression ")"
+//                    | function_name "(" param_assignment { "," param_assignment } ")" ;
+const ast::Expression* Parser::parse_primary() {
+    switch (kind()) {
+    case TokenKind::identifier: return parse_variable();
+    case TokenKind::left_parenthesis: return parse_parenthesized();
+    case TokenKind::enumerated_value: return parse_enumerated_value();
+    case TokenKind::direct_variable: return parse_direct_variable();
+    case TokenKind::incomplete_location: {
+        report_at(at_, DiagnosticId::incomplete_location);
+        return parse_direct_variable();
+    }
+    default: break;
+    }
+    if (at_literal())
+        return parse_constant();
+    if (at(operator_functions) && peek() == TokenKind::left_parenthesis)
+        return parse_operator_call();
+    if (at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())))
+        return parse_variable();
+    return parse_missing_expression();
+}
+
+const ast::Expression* Parser::parse_missing_expression() {
+    if (report_missing(DiagnosticId::missing_expression, {describe(at_)}))
+        diagnostics_.back().range = at_end() ? diagnostics_.back().range : token().range();
+    return make_missing<ast::ErrorExpression>();
+}
+
+const ast::Expression* Parser::parse_too_deep_expression() {
+    auto* error = make<ast::ErrorExpression>();
+    while (at(TokenKind::minus) || at(TokenKind::plus) || at(TokenKind::kw_not))
+        advance();
+    if (at(TokenKind::left_parenthesis) || at(TokenKind::left_bracket) || at_expression_start())
+        skip_balanced();
+    return finish(error);
+}
+
+const ast::Expression* Parser::parse_parenthesized() {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_expression();
+    auto* node = make<ast::ParenthesizedExpression>();
+    advance();
+    node->expression = parse_condition();
+    expect(TokenKind::right_parenthesis);
+    return finish(node);
+}
+
+/// `AND(a, b)` and its like: an operator that stands for the function of its name (6.1 D25).
+const ast::Expression* Parser::parse_operator_call() {
+    auto* name = make<ast::VariableName>();
+    name->hash = hash_name(text(at_));
+    advance();
+    return parse_selectors(finish(name));
+}
+
+/// At an operator that is also a function: true when `name :=` or `name =>` follows the
+/// parenthesis.
+bool Parser::formal_list_follows() const noexcept {
+    const std::uint32_t name = next(next(at_));
+    const TokenKind after = tokens_[next(name)].kind();
+    const TokenKind here = tokens_[name].kind();
+    return (here == TokenKind::identifier || execution_control.contains(here)) &&
+           (after == TokenKind::assign || after == TokenKind::output_arrow);
+}
+
+// variable = direct_variable | symbolic_variable ;
+// symbolic_variable = variable_name | multi_element_variable ;
+const ast::Expression* Parser::parse_variable() {
+    return parse_selectors(parse_variable_name());
+}
+
+// variable_name = identifier ;
+const ast::Expression* Parser::parse_variable_name() {
+    if (!at(TokenKind::identifier) && !at(execution_control))
+        report_reserved_word(at_);
+    auto* name = make<ast::VariableName>();
+    name->hash = hash_name(text(at_));
+    advance();
+    return finish(name);
+}
+
+/// What follows a variable's name: subscripts, fields, and the arguments of a call.
+const ast::Expression* Parser::parse_selectors(const ast::Expression* head) {
+    for (;;) {
+        const bool of_result = head->kind == ast::NodeKind::function_call;
+        if (of_result && (at(TokenKind::left_bracket) || at(TokenKind::dot)))
+            report_at(at_, DiagnosticId::member_of_result);
+        switch (kind()) {
+        case TokenKind::left_bracket: head = parse_subscripts(head); break;
+        case TokenKind::dot: head = parse_field(head); break;
+        case TokenKind::left_parenthesis: head = parse_call(head); break;
+        default: return head;
+        }
+    }
+}
+
+// subscript_list = "[" subscript { "," subscript } "]" ;
+const ast::Expression* Parser::parse_subscripts(const ast::Expression* head) {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_expression();
+    auto* node = make_from<ast::ArrayVariable>(head);
+    advance();
+    ListBuilder<ast::Expression> subscripts(*this);
+    do
+        subscripts.add(parse_condition());
+    while (accept(TokenKind::comma));
+    expect(TokenKind::right_bracket);
+    node->subscripted_variable = head;
+    node->subscripts = subscripts.finish();
+    return finish(node);
+}
+
+// structured_variable = record_variable "." field_selector ;
+const ast::Expression* Parser::parse_field(const ast::Expression* head) {
+    auto* node = make_from<ast::StructuredVariable>(head);
+    advance();
+    node->record_variable = head;
+    if (at(TokenKind::integer)) {
+        report_at(at_, DiagnosticId::bit_access, {std::string(text(at_))});
+        node->field_selector = parse_constant();
+    } else {
+        node->field_selector = parse_name("a name after `.`");
+    }
+    return finish(node);
+}
+
+const ast::Expression* Parser::parse_call(const ast::Expression* callee) {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_expression();
+    auto* node = make_from<ast::FunctionCall>(callee);
+    node->function = callee;
+    node->arguments = parse_arguments();
+    return finish(node);
+}
+
+// "(" [ param_assignment { "," param_assignment } ] ")"
+ast::List<ast::Node> Parser::parse_arguments() {
+    const bool outer = std::exchange(in_condition_, false);
+    advance();
+    ListBuilder<ast::Node> arguments(*this);
+    if (!at(TokenKind::right_parenthesis)) {
+        do
+            arguments.add(parse_argument());
+        while (accept(TokenKind::comma) || accept_missing_comma());
+    }
+    if (!at(TokenKind::right_parenthesis) && !at(TokenKind::semicolon) &&
+        !token().first_on_line()) {
+        report_unexpected("`,` or `)`");
+        skip_to({TokenKind::right_parenthesis, TokenKind::semicolon});
+    }
+    expect(TokenKind::right_parenthesis);
+    in_condition_ = outer;
+    const ast::List<ast::Node> list = arguments.finish();
+    check_arguments(list);
+    return list;
+}
+
+/// Between two arguments or subscripts: something that begins another one follows directly.
+bool Parser::accept_missing_comma() {
+    const bool formal = (at(TokenKind::identifier) || at(execution_control)) &&
+                        (peek() == TokenKind::assign || peek() == TokenKind::output_arrow);
+    const bool operand = at_expression_start() && !token().first_on_line();
+    if (!operand && !(formal && tokens_[next(next(at_))].kind() != TokenKind::end_of_unit &&
+                      argument_list_closes()))
+        return false;
+    report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
+    return true;
+}
+
+/// True when a `)` ends what begins here before a `;` does.
+bool Parser::argument_list_closes() const noexcept {
+    std::uint32_t depth = 0;
+    for (std::uint32_t i = at_;; i = next(i)) {
+        switch (tokens_[i].kind()) {
+        case TokenKind::left_parenthesis: ++depth; break;
+        case TokenKind::right_parenthesis:
+            if (depth-- == 0)
+                return true;
+            break;
+        case TokenKind::semicolon:
+        case TokenKind::end_of_unit: return false;
+        default: break;
+        }
+    }
+}
+
+// param_assignment = ( [ variable_name ":=" ] expression )
+//                  | ( [ "NOT" ] variable_name "=>" variable ) ;
+const ast::Node* Parser::parse_argument() {
+    const bool negated = at(TokenKind::kw_not) && peek_second() == TokenKind::output_arrow;
+    if (negated || peek() == TokenKind::output_arrow) {
+        auto* output = make<ast::OutputArgument>();
+        output->negated = negated;
+        if (negated)
+            advance();
+        output->name = parse_argument_name();
+        advance();
+        output->variable = parse_output_variable();
+        return finish(output);
+    }
+    auto* input = make<ast::InputArgument>();
+    if (peek() == TokenKind::assign) {
+        input->name = parse_argument_name();
+        advance();
+    }
+    input->value = parse_expression();
+    return finish(input);
+}
+
+const ast::Identifier* Parser::parse_argument_name() {
+    if (at(execution_control))
+        return make_identifier();
+    return parse_name("the name of a parameter");
+}
+
+const ast::Expression* Parser::parse_output_variable() {
+    if (at(TokenKind::direct_variable))
+        return parse_direct_variable();
+    if (at(TokenKind::identifier) || at_operand_keyword())
+        return parse_variable();
+    if (at_expression_start())
+        report_unexpected("a variable after `=>`");
+    else
+        return parse_missing_expression();
+    return parse_expression();
+}
+
+/// Formal and non-formal arguments are not mixed (2.5.1.1, Table 19 a).
+void Parser::check_arguments(const ast::List<ast::Node>& arguments) {
+    const auto formal = [](const ast::Node* argument) {
+        const auto* input = ast::as<ast::InputArgument>(argument);
+        return input == nullptr || input->name != nullptr;
+    };
+    for (const ast::Node* argument : arguments)
+        if (formal(argument) != formal(arguments.front())) {
+            report_node(*argument, DiagnosticId::mixed_arguments)
+                .label(LabelId::first_given, arguments.front()->first_token);
+            return;
+        }
+}
+
+} // namespace iecfront

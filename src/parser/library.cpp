@@ -1,0 +1,93 @@
+#include "parser/misspelling.hpp"
+#include "parser/parser.hpp"
+
+namespace iecfront {
+namespace {
+
+constexpr TokenSet openers{TokenKind::kw_type,           TokenKind::kw_function,
+                           TokenKind::kw_function_block, TokenKind::kw_program,
+                           TokenKind::kw_configuration,  TokenKind::kw_var_global};
+
+constexpr TokenSet closers{TokenKind::kw_end_type, TokenKind::kw_end_function,
+                           TokenKind::kw_end_function_block, TokenKind::kw_end_program,
+                           TokenKind::kw_end_configuration};
+
+} // namespace
+
+bool Parser::at_library_element_closer() const noexcept {
+    return at(closers);
+}
+
+// library = { library_element_declaration } ;
+const ast::LibraryUnit* Parser::parse_library_unit() {
+    auto* unit = make<ast::LibraryUnit>();
+    ListBuilder<ast::Node> elements(*this);
+    skip_stray_text(elements);
+    if (!at_end()) {
+        elements.add(parse_library_element());
+        accept_extra_semicolon(std::string(end_ > 0 ? text(end_ - 1) : std::string_view{}));
+        skip_stray_text(elements);
+    }
+    unit->elements = elements.finish();
+    unit->first_token = 0;
+    unit->end_token = count_;
+    return unit;
+}
+
+// library_element_declaration = data_type_declaration | function_declaration
+//                             | function_block_declaration | program_declaration
+//                             | configuration_declaration ;
+const ast::Node* Parser::parse_library_element() {
+    switch (library_element_opener()) {
+    case TokenKind::kw_type: return parse_data_type_declaration();
+    case TokenKind::kw_function: return parse_function_declaration();
+    case TokenKind::kw_function_block: return parse_function_block_declaration();
+    case TokenKind::kw_program: return parse_program_declaration();
+    case TokenKind::kw_configuration: return parse_configuration_declaration();
+    default: break;
+    }
+    report_at(at_, DiagnosticId::global_variables_outside);
+    return parse_variable_declarations(Place::library);
+}
+
+/// The opening word at the cursor, also when it is misspelt; end_of_unit when there is none.
+TokenKind Parser::library_element_opener() const noexcept {
+    if (at(openers))
+        return kind();
+    if (!at(TokenKind::identifier) || peek() != TokenKind::identifier)
+        return TokenKind::end_of_unit;
+    for (const TokenKind opener :
+         {TokenKind::kw_function_block, TokenKind::kw_function, TokenKind::kw_program,
+          TokenKind::kw_configuration, TokenKind::kw_type})
+        if (is_misspelling(text(at_), spelling(opener)))
+            return opener;
+    return TokenKind::end_of_unit;
+}
+
+/// Passes over what is outside every declaration. It is reported once.
+void Parser::skip_stray_text(ListBuilder<ast::Node>& elements) {
+    if (at_end() || at(openers))
+        return;
+    if (const TokenKind opener = library_element_opener(); opener != TokenKind::end_of_unit) {
+        const std::string meant(spelling(opener));
+        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
+            .replace(token().range(), meant);
+        return;
+    }
+    auto* skipped = make<ast::SkippedText>();
+    const std::uint32_t first = at_;
+    while (!at_end() && library_element_opener() == TokenKind::end_of_unit)
+        advance();
+    elements.add(finish(skipped));
+    report_at(first, DiagnosticId::expected_library_element, {describe(first)});
+}
+
+/// Some dialects have a `;` behind closing words.
+void Parser::accept_extra_semicolon(std::string after) {
+    while (at(TokenKind::semicolon)) {
+        report_at(at_, DiagnosticId::extra_semicolon, {after}).remove(token().range());
+        advance();
+    }
+}
+
+} // namespace iecfront

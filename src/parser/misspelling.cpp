@@ -1,0 +1,63 @@
+#include "parser/misspelling.hpp"
+
+#include <iecfront/lexer/name.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace iecfront {
+namespace {
+
+constexpr std::size_t longest_keyword = 24;
+
+struct Letters {
+    std::array<char, longest_keyword> data{};
+    std::size_t size = 0;
+    bool too_long = false;
+};
+
+Letters letters_of(std::string_view word) noexcept {
+    Letters letters;
+    for (const char c : word) {
+        if (c == '_')
+            continue;
+        if (letters.size == longest_keyword) {
+            letters.too_long = true;
+            break;
+        }
+        letters.data[letters.size++] = fold(c);
+    }
+    return letters;
+}
+
+// Damerau-Levenshtein distance of neighbours (optimal string alignment).
+std::size_t distance(const Letters& a, const Letters& b) noexcept {
+    std::array<std::array<std::size_t, longest_keyword + 1>, longest_keyword + 1> d{};
+    for (std::size_t i = 0; i <= a.size; ++i)
+        d[i][0] = i;
+    for (std::size_t j = 0; j <= b.size; ++j)
+        d[0][j] = j;
+    for (std::size_t i = 1; i <= a.size; ++i)
+        for (std::size_t j = 1; j <= b.size; ++j) {
+            const std::size_t change = a.data[i - 1] == b.data[j - 1] ? 0 : 1;
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + change});
+            if (i > 1 && j > 1 && a.data[i - 1] == b.data[j - 2] && a.data[i - 2] == b.data[j - 1])
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d[a.size][b.size];
+}
+
+} // namespace
+
+bool is_misspelling(std::string_view word, std::string_view meant) noexcept {
+    const Letters a = letters_of(word);
+    const Letters b = letters_of(meant);
+    if (a.too_long || b.too_long)
+        return false;
+    const std::size_t allowed = b.size < 6 ? 1 : 2;
+    const std::size_t difference = a.size < b.size ? b.size - a.size : a.size - b.size;
+    return difference <= allowed && distance(a, b) <= allowed;
+}
+
+} // namespace iecfront

@@ -1,0 +1,425 @@
+#pragma once
+
+#include "parser/token_set.hpp"
+
+#include <iecfront/ast/nodes.hpp>
+#include <iecfront/ast/syntax_tree.hpp>
+#include <iecfront/ast/unit.hpp>
+#include <iecfront/diagnostics/diagnostic.hpp>
+#include <iecfront/lexer/token.hpp>
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace iecfront {
+
+/// The recursive-descent parser of one unit. One function parses one production and has it as its
+/// comment; the functions stand in one source file per chapter of Annex B.
+///
+/// Four contracts:
+///   parse_x            called where an x must stand; always gives a node
+///   parse_optional_x   may give null, and has then consumed nothing
+///   accept             takes a token if it is there
+///   expect             takes a token, or reports that it is missing and goes on as if it were
+///   there
+class Parser {
+public:
+    /// `tokens` ends in an end_of_unit token. Nodes are made in `arena`.
+    Parser(std::string_view text, std::span<const Token> tokens, Arena& arena,
+           const ParseOptions& options);
+
+    // ---- library.cpp: B.0
+    const ast::LibraryUnit* parse_library_unit();
+
+    [[nodiscard]] std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
+
+private:
+    // ---- cursor.cpp: tokens ---------------------------------------------------------------------
+    [[nodiscard]] TokenKind kind() const noexcept { return tokens_[at_].kind(); }
+    [[nodiscard]] const Token& token() const noexcept { return tokens_[at_]; }
+    [[nodiscard]] bool at(TokenKind kind) const noexcept { return tokens_[at_].kind() == kind; }
+    [[nodiscard]] bool at(const TokenSet& set) const noexcept { return set.contains(kind()); }
+    [[nodiscard]] bool at_end() const noexcept { return at(TokenKind::end_of_unit); }
+    /// Index of the token behind `index`; tokens that the lexer could not read are passed over.
+    [[nodiscard]] std::uint32_t next(std::uint32_t index) const noexcept {
+        if (tokens_[index].kind() == TokenKind::end_of_unit)
+            return index;
+        do
+            ++index;
+        while (tokens_[index].kind() == TokenKind::unknown);
+        return index;
+    }
+    [[nodiscard]] TokenKind peek() const noexcept { return tokens_[next(at_)].kind(); }
+    [[nodiscard]] TokenKind peek_second() const noexcept { return tokens_[next(next(at_))].kind(); }
+    [[nodiscard]] std::string_view text(std::uint32_t index) const noexcept;
+    /// True when the current token is an identifier spelt `word` (in upper case) in any case.
+    [[nodiscard]] bool at_word(std::string_view word) const noexcept;
+    /// No byte stands between the current token and the next.
+    [[nodiscard]] bool adjoins_next() const noexcept;
+    [[nodiscard]] bool on_same_line(std::uint32_t first, std::uint32_t second) const noexcept;
+    /// 0-based distance in bytes from the start of its line.
+    [[nodiscard]] std::uint32_t column(std::uint32_t index) const noexcept;
+
+    std::uint32_t advance() noexcept {
+        const std::uint32_t index = at_;
+        if (!at_end()) {
+            end_ = index + 1;
+            at_ = next(index);
+        }
+        return index;
+    }
+    bool accept(TokenKind kind) noexcept {
+        if (!at(kind))
+            return false;
+        advance();
+        return true;
+    }
+    /// Takes a delimiter or keyword, or reports it missing behind the token before. One intruder
+    /// that stands before it is dropped.
+    bool expect(TokenKind kind);
+
+    // ---- cursor.cpp: nodes ----------------------------------------------------------------------
+    template<class T>
+    T* make() {
+        T* node = arena_.create<T>();
+        node->first_token = at_;
+        node->end_token = at_;
+        return node;
+    }
+    /// A node that begins where `first`, already parsed, does.
+    template<class T>
+    T* make_from(const ast::Node* first) {
+        T* node = arena_.create<T>();
+        node->first_token = first->first_token;
+        return node;
+    }
+    /// Ends `node` behind the last token that was consumed.
+    template<class T>
+    T* finish(T* node) noexcept {
+        node->end_token = end_ < node->first_token ? node->first_token : end_;
+        return node;
+    }
+    /// A node for something that is not there.
+    template<class T>
+    T* make_missing() {
+        end_ = at_;
+        T* node = make<T>();
+        node->missing = true;
+        return node;
+    }
+
+    /// Collects children on a common stack, so that only finished lists take memory.
+    template<class T>
+    class ListBuilder {
+    public:
+        explicit ListBuilder(Parser& parser) noexcept
+            : parser_(parser), begin_(parser.pending_.size()) {}
+        ListBuilder(const ListBuilder&) = delete;
+        ListBuilder& operator=(const ListBuilder&) = delete;
+        ~ListBuilder() { parser_.pending_.resize(begin_); }
+
+        void add(const T* node) { parser_.pending_.push_back(node); }
+        [[nodiscard]] bool empty() const noexcept { return parser_.pending_.size() == begin_; }
+        [[nodiscard]] std::size_t size() const noexcept { return parser_.pending_.size() - begin_; }
+        [[nodiscard]] ast::List<T> finish() {
+            const std::size_t count = size();
+            if (count == 0)
+                return {};
+            auto* data = static_cast<const T**>(
+                parser_.arena_.allocate(count * sizeof(const T*), alignof(const T*)));
+            for (std::size_t i = 0; i < count; ++i)
+                data[i] = static_cast<const T*>(parser_.pending_[begin_ + i]);
+            return {data, static_cast<std::uint32_t>(count)};
+        }
+
+    private:
+        Parser& parser_;
+        std::size_t begin_;
+    };
+
+    /// Counts nesting; `deeper()` is false when the limit is reached, which is then reported.
+    class NestingGuard {
+    public:
+        explicit NestingGuard(Parser& parser) noexcept : parser_(parser) { ++parser_.nesting_; }
+        NestingGuard(const NestingGuard&) = delete;
+        NestingGuard& operator=(const NestingGuard&) = delete;
+        ~NestingGuard() { --parser_.nesting_; }
+        [[nodiscard]] bool too_deep() const;
+
+    private:
+        Parser& parser_;
+    };
+
+    // ---- cursor.cpp: reports --------------------------------------------------------------------
+    /// Adds to a diagnostic that was just reported, or to nothing when it was suppressed.
+    class Report {
+    public:
+        Report(Parser& parser, std::optional<std::size_t> index) noexcept
+            : parser_(parser), index_(index) {}
+        Report& label(LabelId id, std::uint32_t token);
+        Report& insert(std::uint32_t offset, std::string words);
+        Report& replace(TextRange range, std::string words);
+        Report& remove(TextRange range);
+        explicit operator bool() const noexcept { return index_.has_value(); }
+        [[nodiscard]] std::size_t index() const noexcept { return *index_; }
+
+    private:
+        Parser& parser_;
+        std::optional<std::size_t> index_;
+    };
+    using Arguments = std::vector<DiagnosticArgument>;
+
+    Report report(DiagnosticId id, TextRange range, Arguments arguments = {});
+    /// About one token. A second report at a token is suppressed: one problem, one report.
+    Report report_at(std::uint32_t token, DiagnosticId id, Arguments arguments = {});
+    /// About tokens `[first, end)`, reported even when another report stands there.
+    Report report_node(const ast::Node& node, DiagnosticId id, Arguments arguments = {});
+    /// About something missing behind the last token that was consumed.
+    Report report_missing(DiagnosticId id, Arguments arguments = {});
+    /// "expected {what}, found {the current token}".
+    Report report_unexpected(std::string what);
+    [[nodiscard]] std::uint32_t previous_end() const noexcept;
+    /// The token in backticks, or in words.
+    [[nodiscard]] std::string describe(std::uint32_t index) const;
+    [[nodiscard]] std::string quoted(std::uint32_t index) const;
+    [[nodiscard]] TextRange token_range(std::uint32_t first, std::uint32_t end) const noexcept;
+
+    // ---- cursor.cpp: names ----------------------------------------------------------------------
+    const ast::Identifier* make_identifier();
+    const ast::Identifier* make_missing_identifier(std::string what);
+    /// A name that is used. Keywords in its place are taken for one when nothing else can be meant.
+    const ast::Identifier* parse_name(std::string what);
+    /// A name that is declared; names of standard functions and function blocks are reported.
+    const ast::Identifier* parse_declared_name(std::string what);
+    void report_reserved_word(std::uint32_t token);
+    [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
+
+    // ---- recovery.cpp ---------------------------------------------------------------------------
+    /// A block that waits for its closing word.
+    struct OpenBlock {
+        TokenKind closer;
+        std::uint32_t opener;
+    };
+    class BlockScope;
+    void open_block(TokenKind closer, std::uint32_t opener) { open_.push_back({closer, opener}); }
+    /// Ends the innermost block: takes its closing word, or a misspelt or mismatched one, or
+    /// reports it missing. `terminator` goes with the closing word in a fix-it.
+    void close_block(std::string_view terminator);
+    void report_missing_closer(std::string_view terminator);
+    [[nodiscard]] bool is_open(TokenKind closer) const noexcept;
+    [[nodiscard]] bool closes_outer_block() const noexcept;
+    [[nodiscard]] bool at_misspelt_closer() const noexcept;
+    [[nodiscard]] bool at_mismatched_closer() const noexcept;
+    /// How many more blocks of this kind begin in the unit than are closed.
+    [[nodiscard]] std::int32_t& unclosed(TokenKind closer);
+    [[nodiscard]] bool at_declaration_start() const noexcept;
+    [[nodiscard]] bool at_statement_start() const noexcept;
+    void skip_balanced();
+    void skip_to(const TokenSet& stop);
+    const ast::ErrorStatement* skip_statement();
+    void skip_declaration();
+    void expect_semicolon_of_declaration();
+
+    // ---- constants.cpp: B.1.2
+    const ast::Expression* parse_constant();
+    [[nodiscard]] bool at_literal() const noexcept;
+    [[nodiscard]] bool at_signed_number() const noexcept;
+    [[nodiscard]] bool is_signed_integer(const ast::Expression& expression) const noexcept;
+    const ast::Expression* parse_constant_expression(std::string what);
+    const ast::Expression* parse_integer(std::string what);
+
+    // ---- types.cpp: B.1.3
+    enum class StructureUse { named, anonymous };
+    const ast::DataTypeDeclaration* parse_data_type_declaration();
+    const ast::Node* parse_type_declaration();
+    const ast::ErrorDeclaration* parse_error_declaration(std::string what);
+    void report_empty_block(std::uint32_t opener);
+    void expect_colon();
+    void expect_closing(TokenKind bracket);
+    void check_element_type(const ast::TypeSpecification& type);
+    const ast::TypeSpecification* parse_too_deep_type();
+    const ast::Expression* as_enumerated_value(const ast::Expression& name);
+    const ast::TypeSpecification*
+    parse_type_specification(StructureUse use = StructureUse::anonymous);
+    const ast::TypeSpecification* parse_type_name();
+    const ast::TypeSpecification* parse_elementary_type();
+    const ast::TypeSpecification* parse_derived_type();
+    const ast::TypeSpecification* parse_string_specification(const ast::Node* keyword);
+    const ast::TypeSpecification* parse_subrange_specification(const ast::TypeSpecification* base);
+    const ast::Subrange* parse_subrange();
+    const ast::TypeSpecification* parse_enumerated_specification();
+    const ast::EnumeratedValueDeclaration* parse_enumerated_value_declaration();
+    const ast::TypeSpecification* parse_array_specification();
+    const ast::TypeSpecification* parse_structure_declaration();
+    const ast::Node* parse_structure_element_declaration();
+    const ast::Expression* parse_optional_initial_value();
+    const ast::Expression* parse_initial_value();
+    const ast::Expression* parse_enumerated_value();
+    const ast::Expression* parse_array_initialization();
+    const ast::Expression* parse_array_initial_elements();
+    const ast::Expression* parse_structure_initialization();
+    const ast::StructureElementInitialization* parse_structure_element_initialization();
+
+    // ---- variables.cpp: B.1.4
+    enum class Place { function, function_block, program, configuration, resource, library };
+    const ast::VariableDeclarations* parse_variable_declarations(Place place);
+    [[nodiscard]] bool at_end_of_declarations();
+    void check_block(const ast::VariableDeclarations& block, Place place);
+    ast::BlockQualifier parse_block_qualifiers();
+    void check_qualifier(const ast::VariableDeclarations& block, Place place);
+    const ast::Node* parse_declaration(const ast::VariableDeclarations& block, Place place);
+    const ast::VariableDeclaration*
+    parse_variable_declaration(const ast::VariableDeclarations& block, Place place);
+    void parse_declared_names(ListBuilder<ast::Identifier>& names,
+                              const ast::VariableDeclarations& block);
+    const ast::Identifier* parse_variable_name(const ast::VariableDeclarations& block);
+    const ast::Location* parse_optional_location();
+    void check_declaration(const ast::VariableDeclaration& declaration,
+                           const ast::VariableDeclarations& block, Place place);
+    void check_location(const ast::VariableDeclaration& declaration,
+                        const ast::VariableDeclarations& block, Place place);
+    void check_mixed(const ast::VariableDeclarations& block);
+    ast::Edge parse_optional_edge(const ast::VariableDeclarations& block, Place place,
+                                  const ast::TypeSpecification& type);
+    const ast::Expression* parse_direct_variable();
+
+    // ---- pous.cpp: B.1.5
+    const ast::FunctionDeclaration* parse_function_declaration();
+    const ast::FunctionBlockDeclaration* parse_function_block_declaration();
+    const ast::ProgramDeclaration* parse_program_declaration();
+    ast::List<ast::VariableDeclarations> parse_declaration_blocks(Place place);
+    const ast::TypeSpecification* parse_result_type();
+    void skip_rest_of_head();
+    const ast::Body* parse_body();
+    const ast::Body* parse_unexamined_body(ast::BodyLanguage language);
+    const ast::Body* parse_empty_body();
+    [[nodiscard]] ast::BodyLanguage body_language() const noexcept; // body_language.cpp
+    [[nodiscard]] bool begins_instruction(std::uint32_t index) const noexcept;
+
+    // ---- configuration.cpp: B.1.7
+    const ast::ConfigurationDeclaration* parse_configuration_declaration();
+    const ast::ResourceDeclaration* parse_resource_declaration();
+    ast::List<ast::Node> parse_configuration_elements(Place place);
+    const ast::Node* parse_configuration_element(Place place);
+    void check_configuration_order(const ast::List<ast::Node>& elements, std::uint32_t head,
+                                   Place place);
+    void expect_semicolon_of_configuration();
+    const ast::Expression* parse_access_path(Place place);
+    void check_element_type_of_access(const ast::TypeSpecification& type);
+    [[nodiscard]] bool at_incomplete(const ast::Location& location) const noexcept;
+    const ast::TaskConfiguration* parse_task_configuration();
+    const ast::TaskInitialization* parse_task_initialization();
+    void check_task(const ast::TaskConfiguration& task);
+    const ast::ProgramConfiguration* parse_program_configuration();
+    const ast::Node* parse_prog_conf_element();
+    const ast::Expression* parse_reference(std::string what, std::uint32_t maximum_names);
+    const ast::Expression* parse_data_source(std::string what);
+    const ast::AccessDeclaration* parse_access_declaration(Place place);
+    const ast::InstanceSpecificInit* parse_instance_specific_init();
+
+    // ---- expressions.cpp: B.3.1
+    const ast::Expression* parse_expression();
+    const ast::Expression* parse_condition();
+    const ast::Expression* parse_binary(unsigned minimum);
+    const ast::Expression* parse_binary_rest(const ast::Expression* left, unsigned minimum);
+    const ast::Expression* parse_unary();
+    const ast::Expression* parse_primary();
+    const ast::Expression* parse_parenthesized();
+    const ast::Expression* parse_operator_call();
+    const ast::Expression* parse_variable();
+    const ast::Expression* parse_variable_name();
+    const ast::Expression* parse_selectors(const ast::Expression* head);
+    const ast::Expression* parse_subscripts(const ast::Expression* head);
+    const ast::Expression* parse_field(const ast::Expression* head);
+    const ast::Expression* parse_call(const ast::Expression* callee);
+    ast::List<ast::Node> parse_arguments();
+    const ast::Node* parse_argument();
+    void check_arguments(const ast::List<ast::Node>& arguments);
+    const ast::Expression* parse_missing_expression();
+    const ast::Expression* parse_too_deep_expression();
+    const ast::Identifier* parse_argument_name();
+    const ast::Expression* parse_output_variable();
+    [[nodiscard]] bool formal_list_follows() const noexcept;
+    [[nodiscard]] static unsigned operator_strength(TokenKind kind) noexcept;
+    bool accept_missing_comma();
+    [[nodiscard]] bool argument_list_closes() const noexcept;
+    [[nodiscard]] bool at_expression_start() const noexcept;
+    [[nodiscard]] bool at_operand_keyword() const noexcept;
+
+    // ---- statements.cpp: B.3.2
+    const ast::StatementList* parse_statement_list(std::string_view where);
+    void parse_statements(ListBuilder<ast::Statement>& statements);
+    [[nodiscard]] bool at_end_of_statements();
+    void skip_stray_word();
+    const ast::Statement* parse_statement();
+    const ast::Statement* parse_misplaced_declarations();
+    const ast::Statement* parse_too_deep_statement();
+    const ast::ErrorStatement* expect_semicolon_of_statement(const ast::Statement& statement);
+    const ast::Statement* parse_simple_statement();
+    void expect_assign();
+    const ast::Statement* parse_assignment(const ast::Expression* variable);
+    const ast::Statement* finish_expression_statement(const ast::Expression* expression);
+    const ast::Statement* parse_if_statement();
+    const ast::ElsifClause* parse_elsif_clause();
+    [[nodiscard]] bool at_else_if_for_elsif();
+    const ast::Statement* parse_case_statement();
+    const ast::CaseElement* parse_case_element();
+    const ast::Node* parse_case_label();
+    const ast::Expression* parse_constant_label();
+    const ast::Statement* make_invocation(const ast::FunctionCall& call);
+    [[nodiscard]] bool followed_by_end_if_of(std::uint32_t end,
+                                             std::uint32_t opener) const noexcept;
+    void expect_word(TokenKind word);
+    [[nodiscard]] bool at_case_label() const noexcept;
+    const ast::Statement* parse_for_statement();
+    const ast::Statement* parse_while_statement();
+    const ast::Statement* parse_repeat_statement();
+    const ast::Statement* parse_word_statement();
+    void check_not_empty(const ast::StatementList& list, std::string_view where);
+
+    // ---- library.cpp
+    const ast::Node* parse_library_element();
+    void skip_stray_text(ListBuilder<ast::Node>& elements);
+    [[nodiscard]] TokenKind library_element_opener() const noexcept;
+    [[nodiscard]] bool at_library_element_closer() const noexcept;
+    void accept_extra_semicolon(std::string after);
+
+    std::string_view text_;
+    const Token* tokens_;   // the last one is end_of_unit
+    std::uint32_t count_;   // without end_of_unit
+    std::uint32_t at_ = 0;  // current token
+    std::uint32_t end_ = 0; // one past the last token consumed
+    std::uint32_t nesting_ = 0;
+    bool nesting_reported_ = false;
+    bool in_condition_ = false;   // `:=` is taken for `=`
+    bool closer_assumed_ = false; // the last closing word was missing, and its `;` with it
+    std::optional<std::uint32_t> reported_at_; // token of the last report
+    Place place_ = Place::library;             // whose declarations and body are being read
+
+    Arena& arena_;
+    const ParseOptions& options_;
+    std::vector<const ast::Node*> pending_;
+    std::vector<Diagnostic> diagnostics_;
+    std::vector<OpenBlock> open_;
+
+    struct ReservedWord {
+        TokenKind kind;
+        std::size_t diagnostic;
+    };
+    std::vector<ReservedWord> reserved_words_; // keywords used as names in this unit
+    struct BlockBalance {
+        TokenKind closer;
+        std::int32_t unclosed;
+    };
+    std::vector<BlockBalance> balances_;
+    std::uint32_t else_if_chain_end_ = 0; // last chain that was looked at, see at_else_if_for_elsif
+    std::uint32_t else_if_block_ = 0;
+    bool else_if_means_elsif_ = false;
+};
+
+} // namespace iecfront

@@ -1,0 +1,153 @@
+#include "parser/parser.hpp"
+
+namespace iecfront {
+namespace {
+
+constexpr TokenSet block_openers = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
+
+constexpr TokenSet library_element_closers{
+    TokenKind::kw_end_type,    TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
+    TokenKind::kw_end_program, TokenKind::kw_end_configuration, TokenKind::end_of_unit};
+
+} // namespace
+
+// function_declaration = "FUNCTION" derived_function_name ":"
+//                        ( elementary_type_name | derived_type_name )
+//                        { io_var_declarations | function_var_decls }
+//                        function_body
+//                        "END_FUNCTION" ;
+const ast::FunctionDeclaration* Parser::parse_function_declaration() {
+    auto* node = make<ast::FunctionDeclaration>();
+    place_ = Place::function;
+    open_block(TokenKind::kw_end_function, advance());
+    node->name = parse_declared_name("the name of a function");
+    node->result_type = parse_result_type();
+    skip_rest_of_head();
+    node->declarations = parse_declaration_blocks(place_);
+    node->body = parse_body();
+    close_block("");
+    return finish(node);
+}
+
+// ":" ( elementary_type_name | derived_type_name )
+const ast::TypeSpecification* Parser::parse_result_type() {
+    const bool without = !at(TokenKind::colon) && (at(block_openers) || token().first_on_line());
+    if (without) {
+        report_missing(DiagnosticId::function_without_result);
+        return make_missing<ast::ErrorType>();
+    }
+    expect_colon();
+    const ast::TypeSpecification* type = parse_type_specification();
+    switch (type->kind) {
+    case ast::NodeKind::elementary_type_name:
+    case ast::NodeKind::derived_type_name:
+    case ast::NodeKind::error_type: break;
+    case ast::NodeKind::string_specification:
+        report_node(*type, DiagnosticId::function_result_type, {"a string with a length"});
+        break;
+    default: report_node(*type, DiagnosticId::function_result_type, {"a type written out"}); break;
+    }
+    return type;
+}
+
+/// Whatever stands between the head of a program organization unit and its next line.
+void Parser::skip_rest_of_head() {
+    if (at(TokenKind::semicolon)) {
+        accept_extra_semicolon("the head of a declaration");
+        return;
+    }
+    if (token().first_on_line() || at(block_openers) || at(library_element_closers) ||
+        at_statement_start())
+        return;
+    report_unexpected("a declaration block or the body");
+    while (!token().first_on_line() && !at(block_openers) && !at(library_element_closers))
+        advance();
+}
+
+// function_block_declaration = "FUNCTION_BLOCK" derived_function_block_name
+//                              { io_var_declarations | other_var_declarations }
+//                              function_block_body
+//                              "END_FUNCTION_BLOCK" ;
+const ast::FunctionBlockDeclaration* Parser::parse_function_block_declaration() {
+    auto* node = make<ast::FunctionBlockDeclaration>();
+    place_ = Place::function_block;
+    open_block(TokenKind::kw_end_function_block, advance());
+    node->name = parse_declared_name("the name of a function block type");
+    skip_rest_of_head();
+    node->declarations = parse_declaration_blocks(place_);
+    node->body = parse_body();
+    close_block("");
+    return finish(node);
+}
+
+// program_declaration = "PROGRAM" program_type_name
+//                       { io_var_declarations | other_var_declarations
+//                       | located_var_declarations | global_var_declarations
+//                       | program_access_decls }
+//                       function_block_body
+//                       "END_PROGRAM" ;
+const ast::ProgramDeclaration* Parser::parse_program_declaration() {
+    auto* node = make<ast::ProgramDeclaration>();
+    place_ = Place::program;
+    open_block(TokenKind::kw_end_program, advance());
+    node->name = parse_declared_name("the name of a program type");
+    skip_rest_of_head();
+    node->declarations = parse_declaration_blocks(place_);
+    node->body = parse_body();
+    close_block("");
+    return finish(node);
+}
+
+ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place place) {
+    ListBuilder<ast::VariableDeclarations> blocks(*this);
+    for (;;) {
+        if (at(block_openers)) {
+            blocks.add(parse_variable_declarations(place));
+        } else if (at(TokenKind::kw_end_var)) {
+            // The block has ended already, or its opening word is missing.
+            report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
+                .remove(token().range());
+            advance();
+        } else {
+            return blocks.finish();
+        }
+    }
+}
+
+// ---- bodies -------------------------------------------------------------------------------------
+
+// function_body = instruction_list | statement_list ;
+// function_block_body = sequential_function_chart | instruction_list | statement_list ;
+const ast::Body* Parser::parse_body() {
+    if (at(library_element_closers))
+        return parse_empty_body();
+    const ast::BodyLanguage language = body_language();
+    if (language != ast::BodyLanguage::structured_text)
+        return parse_unexamined_body(language);
+    return parse_statement_list("in a body");
+}
+
+/// Nothing at all between declarations and closing word: with a line end there it is an instruction
+/// list of one empty line, without one it is no body.
+const ast::Body* Parser::parse_empty_body() {
+    auto* body = make<ast::InstructionList>();
+    end_ = at_;
+    if (!token().first_on_line() && !at_end())
+        report_missing(DiagnosticId::empty_body).insert(previous_end(), " ;");
+    return body;
+}
+
+const ast::Body* Parser::parse_unexamined_body(ast::BodyLanguage language) {
+    auto* body = make<ast::UnexaminedBody>();
+    body->language = language;
+    const std::uint32_t first = at_;
+    while (!at(library_element_closers))
+        advance();
+    report(language == ast::BodyLanguage::instruction_list
+               ? DiagnosticId::instruction_list_unexamined
+               : DiagnosticId::chart_unexamined,
+           tokens_[first].range());
+    return finish(body);
+}
+
+} // namespace iecfront

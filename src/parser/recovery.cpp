@@ -1,0 +1,254 @@
+#include "parser/misspelling.hpp"
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/name.hpp>
+
+#include <algorithm>
+
+namespace iecfront {
+namespace {
+
+constexpr TokenSet library_element_closers{
+    TokenKind::kw_end_type, TokenKind::kw_end_function, TokenKind::kw_end_function_block,
+    TokenKind::kw_end_program, TokenKind::kw_end_configuration};
+
+constexpr TokenSet closers =
+    library_element_closers |
+    TokenSet{TokenKind::kw_end_struct, TokenKind::kw_end_var,        TokenKind::kw_end_resource,
+             TokenKind::kw_end_step,   TokenKind::kw_end_transition, TokenKind::kw_end_action,
+             TokenKind::kw_end_if,     TokenKind::kw_end_case,       TokenKind::kw_end_for,
+             TokenKind::kw_end_while,  TokenKind::kw_end_repeat};
+
+constexpr TokenSet block_words =
+    closers | TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config) |
+    TokenSet{TokenKind::kw_else, TokenKind::kw_elsif, TokenKind::kw_until, TokenKind::end_of_unit};
+
+constexpr TokenSet statement_words{TokenKind::kw_if,    TokenKind::kw_case,   TokenKind::kw_for,
+                                   TokenKind::kw_while, TokenKind::kw_repeat, TokenKind::kw_return,
+                                   TokenKind::kw_exit};
+
+struct BlockWords {
+    TokenKind opener;
+    TokenKind closer;
+};
+
+// What opens what is closed by a word of its own. Several openers can share a closing word.
+constexpr BlockWords blocks[] = {
+    {TokenKind::kw_type, TokenKind::kw_end_type},
+    {TokenKind::kw_function, TokenKind::kw_end_function},
+    {TokenKind::kw_function_block, TokenKind::kw_end_function_block},
+    {TokenKind::kw_program, TokenKind::kw_end_program},
+    {TokenKind::kw_configuration, TokenKind::kw_end_configuration},
+    {TokenKind::kw_resource, TokenKind::kw_end_resource},
+    {TokenKind::kw_struct, TokenKind::kw_end_struct},
+    {TokenKind::kw_var, TokenKind::kw_end_var},
+    {TokenKind::kw_var_input, TokenKind::kw_end_var},
+    {TokenKind::kw_var_output, TokenKind::kw_end_var},
+    {TokenKind::kw_var_in_out, TokenKind::kw_end_var},
+    {TokenKind::kw_var_temp, TokenKind::kw_end_var},
+    {TokenKind::kw_var_external, TokenKind::kw_end_var},
+    {TokenKind::kw_var_global, TokenKind::kw_end_var},
+    {TokenKind::kw_var_access, TokenKind::kw_end_var},
+    {TokenKind::kw_var_config, TokenKind::kw_end_var},
+    {TokenKind::kw_if, TokenKind::kw_end_if},
+    {TokenKind::kw_case, TokenKind::kw_end_case},
+    {TokenKind::kw_for, TokenKind::kw_end_for},
+    {TokenKind::kw_while, TokenKind::kw_end_while},
+    {TokenKind::kw_repeat, TokenKind::kw_end_repeat},
+};
+
+} // namespace
+
+// ---- blocks and their closing words -------------------------------------------------------------
+
+bool Parser::is_open(TokenKind closer) const noexcept {
+    return std::any_of(open_.begin(), open_.end(),
+                       [closer](const OpenBlock& block) { return block.closer == closer; });
+}
+
+std::int32_t& Parser::unclosed(TokenKind closer) {
+    for (BlockBalance& balance : balances_)
+        if (balance.closer == closer)
+            return balance.unclosed;
+    std::int32_t count = 0;
+    for (std::uint32_t i = 0; i < count_; ++i) {
+        const TokenKind here = tokens_[i].kind();
+        count -= here == closer ? 1 : 0;
+        for (const BlockWords& words : blocks)
+            count += words.closer == closer && words.opener == here ? 1 : 0;
+    }
+    balances_.push_back({closer, count});
+    return balances_.back().unclosed;
+}
+
+/// True when the closing word at the cursor fits the innermost block, but by its column belongs to
+/// one further out, and that one would otherwise stay open: the innermost is the unclosed one.
+bool Parser::closes_outer_block() const noexcept {
+    if (open_.size() < 2 || !token().first_on_line())
+        return false;
+    const OpenBlock& inner = open_.back();
+    if (!tokens_[inner.opener].first_on_line() || column(at_) == column(inner.opener))
+        return false;
+    return std::any_of(open_.begin(), open_.end() - 1, [&](const OpenBlock& block) {
+        return block.closer == inner.closer && tokens_[block.opener].first_on_line() &&
+               column(block.opener) == column(at_);
+    });
+}
+
+/// An identifier like `ENDIF` or `END_FI`, or `END` alone, in the place of the closing word.
+bool Parser::at_misspelt_closer() const noexcept {
+    if (open_.empty() || !at(TokenKind::identifier))
+        return false;
+    const std::string_view word = text(at_);
+    if (word.size() < 3 || fold(word[0]) != 'E')
+        return false;
+    const TokenKind after = peek();
+    const std::string_view closer = spelling(open_.back().closer);
+    if (names_equal(word, "END")) {
+        const bool split = is_keyword(after) && names_equal(text(next(at_)), closer.substr(4));
+        return split || after == TokenKind::semicolon || after == TokenKind::end_of_unit;
+    }
+    const bool alone = after == TokenKind::semicolon || tokens_[next(at_)].first_on_line() ||
+                       after == TokenKind::end_of_unit;
+    return alone && is_misspelling(word, closer);
+}
+
+/// A closing word of another kind that can only be meant to close the innermost block: it closes
+/// nothing else, or stands in the column of this block's opener.
+bool Parser::at_mismatched_closer() const noexcept {
+    if (open_.empty() || !at(closers))
+        return false;
+    const OpenBlock& inner = open_.back();
+    if (library_element_closers.contains(inner.closer) || library_element_closers.contains(kind()))
+        return library_element_closers.contains(inner.closer) &&
+               library_element_closers.contains(kind());
+    const auto outer = std::find_if(open_.rbegin(), open_.rend(), [this](const OpenBlock& block) {
+        return block.closer == kind();
+    });
+    if (outer == open_.rend())
+        return true;
+    return token().first_on_line() && tokens_[inner.opener].first_on_line() &&
+           column(at_) == column(inner.opener) && column(at_) != column(outer->opener);
+}
+
+void Parser::report_missing_closer(std::string_view terminator) {
+    const OpenBlock& block = open_.back();
+    const std::string closer(spelling(block.closer));
+    report_missing(DiagnosticId::missing_closing_word, {closer, std::string(text(block.opener))})
+        .label(LabelId::opened_here, block.opener)
+        .insert(previous_end(), "\n" + closer + std::string(terminator));
+    --unclosed(block.closer);
+    closer_assumed_ = true;
+}
+
+void Parser::close_block(std::string_view terminator) {
+    const OpenBlock block = open_.back();
+    const std::string closer(spelling(block.closer));
+    closer_assumed_ = false;
+    if (at(block.closer)) {
+        if (closes_outer_block() && unclosed(block.closer) > 0)
+            report_missing_closer(terminator);
+        else
+            advance();
+    } else if (at_misspelt_closer()) {
+        const std::uint32_t first = at_;
+        if (names_equal(text(at_), "END") && is_keyword(peek()))
+            advance();
+        const TextRange words = token_range(first, at_ + 1);
+        report(DiagnosticId::misspelt_word, words,
+               {std::string(text_.substr(words.begin, words.size())), closer})
+            .replace(words, closer);
+        advance();
+        --unclosed(block.closer);
+    } else if (at_mismatched_closer()) {
+        report_at(at_, DiagnosticId::mismatched_closing_word,
+                  {std::string(text(at_)), std::string(text(block.opener)), closer})
+            .label(LabelId::opened_here, block.opener)
+            .replace(token().range(), closer);
+        advance();
+        --unclosed(block.closer);
+    } else {
+        report_missing_closer(terminator);
+    }
+    open_.pop_back();
+}
+
+// ---- skipping -----------------------------------------------------------------------------------
+
+bool Parser::at_declaration_start() const noexcept {
+    if (!at(TokenKind::identifier) && !is_keyword(kind()))
+        return false;
+    const TokenKind after = peek();
+    return after == TokenKind::colon || after == TokenKind::kw_at ||
+           (after == TokenKind::comma && token().first_on_line());
+}
+
+bool Parser::at_statement_start() const noexcept {
+    if (at(statement_words))
+        return true;
+    if (at(TokenKind::direct_variable))
+        return peek() == TokenKind::assign;
+    if (!at(TokenKind::identifier) && !at(TokenKind::kw_eno))
+        return false;
+    static constexpr TokenSet after_name{TokenKind::assign, TokenKind::left_parenthesis,
+                                         TokenKind::left_bracket, TokenKind::dot};
+    return after_name.contains(peek());
+}
+
+/// Passes over one token, or over a bracket with all that stands in it. Never over a word that has
+/// a part in the structure of a body.
+void Parser::skip_balanced() {
+    std::uint32_t depth = 0;
+    do {
+        if (at(TokenKind::left_parenthesis) || at(TokenKind::left_bracket))
+            ++depth;
+        else if (at(TokenKind::right_parenthesis) || at(TokenKind::right_bracket))
+            depth -= depth > 0 ? 1 : 0;
+        advance();
+    } while (depth > 0 && !at(block_words) && !at(TokenKind::semicolon) && !at(statement_words));
+}
+
+void Parser::skip_to(const TokenSet& stop) {
+    while (!at(stop) && !at(block_words))
+        skip_balanced();
+}
+
+/// Passes over what cannot be read up to the `;`, or to where the next statement begins.
+const ast::ErrorStatement* Parser::skip_statement() {
+    auto* error = make<ast::ErrorStatement>();
+    bool first = true;
+    while (!at(TokenKind::semicolon) && !at(block_words) && !at_misspelt_closer()) {
+        if (!first && (at(statement_words) || (token().first_on_line() && at_statement_start())))
+            break;
+        first = false;
+        skip_balanced();
+    }
+    return finish(error);
+}
+
+void Parser::skip_declaration() {
+    static constexpr TokenSet stop{TokenKind::semicolon, TokenKind::kw_struct};
+    while (!at(stop) && !at(block_words) && !at(statement_words)) {
+        if (token().first_on_line() && at_declaration_start())
+            break;
+        skip_balanced();
+    }
+}
+
+void Parser::expect_semicolon_of_declaration() {
+    if (accept(TokenKind::semicolon))
+        return;
+    if (closer_assumed_ && at(block_words))
+        return;
+    const bool missing = at(block_words) || at_misspelt_closer() || at(statement_words) ||
+                         token().first_on_line() || at_declaration_start();
+    if (missing) {
+        report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+        return;
+    }
+    report_unexpected("`;`");
+    skip_declaration();
+    accept(TokenKind::semicolon);
+}
+
+} // namespace iecfront

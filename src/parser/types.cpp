@@ -1,0 +1,430 @@
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/literals.hpp>
+#include <iecfront/lexer/name.hpp>
+
+namespace iecfront {
+namespace {
+
+constexpr TokenSet integer_type_names = TokenSet::range(TokenKind::kw_sint, TokenKind::kw_ulint);
+
+constexpr TokenSet string_type_names{TokenKind::kw_string, TokenKind::kw_wstring};
+
+} // namespace
+
+// ---- declarations -------------------------------------------------------------------------------
+
+// data_type_declaration = "TYPE" type_declaration ";" { type_declaration ";" } "END_TYPE" ;
+const ast::DataTypeDeclaration* Parser::parse_data_type_declaration() {
+    auto* node = make<ast::DataTypeDeclaration>();
+    open_block(TokenKind::kw_end_type, advance());
+    ListBuilder<ast::Node> declarations(*this);
+    while (!at_end_of_declarations())
+        declarations.add(parse_type_declaration());
+    if (declarations.empty())
+        report_empty_block(open_.back().opener);
+    node->declarations = declarations.finish();
+    close_block("");
+    return finish(node);
+}
+
+void Parser::report_empty_block(std::uint32_t opener) {
+    report(DiagnosticId::empty_block, tokens_[opener].range(), {std::string(text(opener))});
+}
+
+/// Passes over what cannot begin a declaration, up to the next one.
+const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string what) {
+    auto* error = make<ast::ErrorDeclaration>();
+    report_at(at_, DiagnosticId::not_a_declaration, {std::move(what), describe(at_)});
+    if (!at(TokenKind::semicolon)) {
+        advance();
+        skip_declaration();
+    }
+    accept(TokenKind::semicolon);
+    return finish(error);
+}
+
+// type_declaration = single_element_type_declaration | array_type_declaration
+//                  | structure_type_declaration | string_type_declaration ;
+const ast::Node* Parser::parse_type_declaration() {
+    if (!at(TokenKind::identifier) && !(is_keyword(kind()) && peek() == TokenKind::colon))
+        return parse_error_declaration("a type declaration");
+    auto* node = make<ast::TypeDeclaration>();
+    node->name = parse_declared_name("the name of a data type");
+    expect_colon();
+    node->specification = parse_type_specification(StructureUse::named);
+    node->initial_value = parse_optional_initial_value();
+    finish(node);
+    expect_semicolon_of_declaration();
+    return node;
+}
+
+/// The `:` between a name and its type; `:=` and `=` are common slips for it.
+void Parser::expect_colon() {
+    const bool slip = at(TokenKind::assign) || at(TokenKind::equal);
+    if (!slip) {
+        expect(TokenKind::colon);
+        return;
+    }
+    report_unexpected("`:`").replace(token().range(), ":");
+    advance();
+}
+
+// ---- specifications -----------------------------------------------------------------------------
+
+/// simple_specification | subrange_specification | enumerated_specification | array_specification
+/// | structure_declaration | single_byte_string_spec | double_byte_string_spec
+const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use) {
+    switch (kind()) {
+    case TokenKind::identifier: return parse_derived_type();
+    case TokenKind::left_parenthesis: return parse_enumerated_specification();
+    case TokenKind::kw_array: return parse_array_specification();
+    case TokenKind::kw_struct:
+        if (use == StructureUse::anonymous)
+            report(DiagnosticId::anonymous_structure, token().range());
+        return parse_structure_declaration();
+    default: break;
+    }
+    if (is_elementary_type_name(kind()) || is_generic_type_name(kind()))
+        return parse_elementary_type();
+    if (is_keyword(kind()) && used_as_name(kind())) {
+        report_reserved_word(at_);
+        return parse_type_name();
+    }
+    report_at(at_, DiagnosticId::missing_type, {describe(at_)});
+    auto* error = make_missing<ast::ErrorType>();
+    return error;
+}
+
+// derived_type_name = single_element_type_name | array_type_name | structure_type_name
+//                   | string_type_name ;
+const ast::TypeSpecification* Parser::parse_type_name() {
+    auto* node = make<ast::DerivedTypeName>();
+    node->hash = hash_name(text(at_));
+    advance();
+    return finish(node);
+}
+
+const ast::TypeSpecification* Parser::parse_derived_type() {
+    const ast::TypeSpecification* name = parse_type_name();
+    if (!at(TokenKind::left_parenthesis))
+        return name;
+    report_node(*name, DiagnosticId::subrange_of_derived_type, {quoted(name->first_token)});
+    return parse_subrange_specification(name);
+}
+
+// elementary_type_name = numeric_type_name | date_type_name | bit_string_type_name
+//                      | "STRING" | "WSTRING" | "TIME" ;
+const ast::TypeSpecification* Parser::parse_elementary_type() {
+    const TokenKind type = kind();
+    if (is_generic_type_name(type))
+        report_at(at_, DiagnosticId::generic_type_in_declaration, {std::string(text(at_))});
+    auto* node = make<ast::ElementaryTypeName>();
+    advance();
+    finish(node);
+    const bool string = string_type_names.contains(type);
+    if (string && (at(TokenKind::left_bracket) || at(TokenKind::left_parenthesis)))
+        return parse_string_specification(node);
+    if (!at(TokenKind::left_parenthesis))
+        return node;
+    if (!integer_type_names.contains(type))
+        report_unexpected("`;`");
+    return parse_subrange_specification(node);
+}
+
+// single_byte_string_spec = "STRING" [ "[" integer "]" ] [ ":=" single_byte_character_string ] ;
+// double_byte_string_spec = "WSTRING" [ "[" integer "]" ] [ ":=" double_byte_character_string ] ;
+const ast::TypeSpecification* Parser::parse_string_specification(const ast::Node* keyword) {
+    auto* node = make_from<ast::StringSpecification>(keyword);
+    const bool parentheses = at(TokenKind::left_parenthesis);
+    const std::uint32_t open = advance();
+    node->length = parse_integer("the length of a string");
+    const std::uint32_t close = at_;
+    expect(parentheses ? TokenKind::right_parenthesis : TokenKind::right_bracket);
+    finish(node);
+    if (!parentheses)
+        return node;
+    Report extension =
+        report(DiagnosticId::parenthesized_string_length, token_range(open, node->end_token));
+    if (close < node->end_token)
+        diagnostics_[extension.index()].fixes.push_back(
+            {{{tokens_[open].range(), "["}, {tokens_[close].range(), "]"}}});
+    return node;
+}
+
+// subrange_specification = integer_type_name "(" subrange ")" | subrange_type_name ;
+const ast::TypeSpecification*
+Parser::parse_subrange_specification(const ast::TypeSpecification* base) {
+    auto* node = make_from<ast::SubrangeSpecification>(base);
+    advance();
+    node->base = base;
+    node->range = parse_subrange();
+    expect(TokenKind::right_parenthesis);
+    return finish(node);
+}
+
+// subrange = signed_integer ".." signed_integer ;
+const ast::Subrange* Parser::parse_subrange() {
+    auto* node = make<ast::Subrange>();
+    node->lower = parse_constant_expression("a bound");
+    node->first_token = node->lower->first_token;
+    if (accept(TokenKind::dot_dot)) {
+        node->upper = parse_constant_expression("a bound");
+    } else {
+        report_missing(DiagnosticId::subrange_needs_two_bounds);
+        node->upper = make_missing<ast::ErrorExpression>();
+    }
+    return finish(node);
+}
+
+// enumerated_specification = ( "(" enumerated_value { "," enumerated_value } ")" )
+//                          | enumerated_type_name ;
+const ast::TypeSpecification* Parser::parse_enumerated_specification() {
+    auto* node = make<ast::EnumeratedSpecification>();
+    advance();
+    ListBuilder<ast::EnumeratedValueDeclaration> values(*this);
+    do
+        values.add(parse_enumerated_value_declaration());
+    while (accept(TokenKind::comma) || accept_missing_comma());
+    expect_closing(TokenKind::right_parenthesis);
+    node->values = values.finish();
+    if (integer_type_names.contains(kind()) || is_elementary_type_name(kind())) {
+        report(DiagnosticId::enumeration_base_type, token().range());
+        node->base = parse_elementary_type();
+    }
+    return finish(node);
+}
+
+// enumerated_value = [ enumerated_type_name "#" ] identifier ;
+const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaration() {
+    auto* node = make<ast::EnumeratedValueDeclaration>();
+    if (at(TokenKind::enumerated_value)) {
+        const auto prefix = static_cast<std::uint32_t>(text(at_).find('#') + 1);
+        const TextRange qualifier{token().offset(), token().offset() + prefix};
+        report(DiagnosticId::qualified_enumerated_value, qualifier).remove(qualifier);
+        auto* name = make<ast::Identifier>();
+        name->hash = hash_name(split_enumerated_value(text(at_)).value);
+        advance();
+        node->name = finish(name);
+    } else {
+        node->name = parse_declared_name("an enumerated value");
+    }
+    if (at(TokenKind::assign)) {
+        report(DiagnosticId::enumerated_value_given, token().range());
+        advance();
+        node->value = parse_expression();
+    }
+    return finish(node);
+}
+
+/// The closing bracket of a list in which no more element can be read.
+void Parser::expect_closing(TokenKind bracket) {
+    if (!at(bracket) && !at(TokenKind::semicolon) && !token().first_on_line()) {
+        report_unexpected("`,` or `" + std::string(spelling(bracket)) + "`");
+        skip_to({bracket, TokenKind::semicolon});
+    }
+    expect(bracket);
+}
+
+// array_specification = array_type_name
+//                     | "ARRAY" "[" subrange { "," subrange } "]" "OF" non_generic_type_name ;
+const ast::TypeSpecification* Parser::parse_array_specification() {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_type();
+    auto* node = make<ast::ArraySpecification>();
+    advance();
+    expect(TokenKind::left_bracket);
+    ListBuilder<ast::Subrange> subranges(*this);
+    do
+        subranges.add(parse_subrange());
+    while (accept(TokenKind::comma));
+    expect_closing(TokenKind::right_bracket);
+    expect(TokenKind::kw_of);
+    node->subranges = subranges.finish();
+    node->element_type = parse_type_specification(StructureUse::named);
+    check_element_type(*node->element_type);
+    return finish(node);
+}
+
+/// An element type is a name (6.1 D15).
+void Parser::check_element_type(const ast::TypeSpecification& type) {
+    const char* what = nullptr;
+    switch (type.kind) {
+    case ast::NodeKind::array_specification: what = "an array"; break;
+    case ast::NodeKind::structure_declaration: what = "a structure written out"; break;
+    case ast::NodeKind::enumerated_specification: what = "an enumeration written out"; break;
+    case ast::NodeKind::subrange_specification: what = "a subrange written out"; break;
+    case ast::NodeKind::string_specification: what = "a string with a length"; break;
+    default: return;
+    }
+    report_node(type, DiagnosticId::element_type, {what});
+}
+
+const ast::TypeSpecification* Parser::parse_too_deep_type() {
+    auto* error = make<ast::ErrorType>();
+    advance();
+    skip_declaration();
+    return finish(error);
+}
+
+// structure_declaration = "STRUCT" structure_element_declaration ";"
+//                         { structure_element_declaration ";" } "END_STRUCT" ;
+const ast::TypeSpecification* Parser::parse_structure_declaration() {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_type();
+    auto* node = make<ast::StructureDeclaration>();
+    open_block(TokenKind::kw_end_struct, advance());
+    ListBuilder<ast::Node> elements(*this);
+    while (!at_end_of_declarations())
+        elements.add(parse_structure_element_declaration());
+    if (elements.empty())
+        report_empty_block(open_.back().opener);
+    node->elements = elements.finish();
+    close_block(";");
+    return finish(node);
+}
+
+// structure_element_declaration = structure_element_name ":"
+//     ( simple_spec_init | subrange_spec_init | enumerated_spec_init | array_spec_init
+//     | initialized_structure ) ;
+const ast::Node* Parser::parse_structure_element_declaration() {
+    if (!at(TokenKind::identifier) && !at_declaration_start())
+        return parse_error_declaration("the declaration of a structure element");
+    auto* node = make<ast::StructureElementDeclaration>();
+    ListBuilder<ast::Identifier> names(*this);
+    do
+        names.add(parse_declared_name("the name of a structure element"));
+    while (accept(TokenKind::comma));
+    node->names = names.finish();
+    if (node->names.size() > 1)
+        report(DiagnosticId::several_element_names,
+               token_range(node->names[1]->first_token, node->names.back()->end_token));
+    expect_colon();
+    node->specification = parse_type_specification();
+    node->initial_value = parse_optional_initial_value();
+    finish(node);
+    expect_semicolon_of_declaration();
+    return node;
+}
+
+// ---- initial values -----------------------------------------------------------------------------
+
+const ast::Expression* Parser::parse_optional_initial_value() {
+    if (at(TokenKind::equal) || (at(TokenKind::colon) && peek() == TokenKind::equal))
+        expect_assign();
+    else if (!accept(TokenKind::assign))
+        return nullptr;
+    return parse_initial_value();
+}
+
+/// constant | enumerated_value | array_initialization | structure_initialization
+const ast::Expression* Parser::parse_initial_value() {
+    if (at(TokenKind::left_bracket))
+        return parse_array_initialization();
+    if (at(TokenKind::left_parenthesis) && peek_second() == TokenKind::assign)
+        return parse_structure_initialization();
+    static constexpr TokenSet after_value{TokenKind::semicolon, TokenKind::comma,
+                                          TokenKind::right_parenthesis, TokenKind::right_bracket};
+    const bool simple = at(TokenKind::identifier) && after_value.contains(peek());
+    if (simple || at(TokenKind::enumerated_value))
+        return parse_enumerated_value();
+    const std::uint32_t sign = at_;
+    const bool apart = (at(TokenKind::minus) || at(TokenKind::plus)) && !adjoins_next();
+    const ast::Expression* value = parse_expression();
+    if (value->missing || ast::is<ast::Constant>(value->kind) ||
+        value->kind == ast::NodeKind::error_expression)
+        return value;
+    if (value->kind == ast::NodeKind::variable_name)
+        return as_enumerated_value(*value);
+    const TokenKind number = tokens_[next(sign)].kind();
+    if (apart && value->end_token == next(sign) + 1 &&
+        (number == TokenKind::integer || number == TokenKind::real)) {
+        const TextRange gap{tokens_[sign].end(), tokens_[next(sign)].offset()};
+        report(DiagnosticId::sign_apart_from_number, gap).remove(gap);
+    } else {
+        report_node(*value, DiagnosticId::constant_expression, {"an initial value"});
+    }
+    return value;
+}
+
+/// A lone name where only a constant can stand.
+const ast::Expression* Parser::as_enumerated_value(const ast::Expression& name) {
+    auto* node = make_from<ast::EnumeratedValue>(&name);
+    node->hash = static_cast<const ast::VariableName&>(name).hash;
+    node->end_token = name.end_token;
+    return node;
+}
+
+const ast::Expression* Parser::parse_enumerated_value() {
+    auto* node = make<ast::EnumeratedValue>();
+    node->hash = hash_name(split_enumerated_value(text(at_)).value);
+    advance();
+    return finish(node);
+}
+
+// array_initialization = "[" array_initial_elements { "," array_initial_elements } "]" ;
+const ast::Expression* Parser::parse_array_initialization() {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_expression();
+    auto* node = make<ast::ArrayInitialization>();
+    advance();
+    ListBuilder<ast::Expression> elements(*this);
+    do
+        elements.add(parse_array_initial_elements());
+    while (accept(TokenKind::comma) || accept_missing_comma());
+    expect_closing(TokenKind::right_bracket);
+    node->elements = elements.finish();
+    return finish(node);
+}
+
+// array_initial_elements = array_initial_element | integer "(" [ array_initial_element ] ")" ;
+const ast::Expression* Parser::parse_array_initial_elements() {
+    if (!at(TokenKind::integer) || peek() != TokenKind::left_parenthesis)
+        return parse_initial_value();
+    auto* node = make<ast::ArrayInitialElements>();
+    node->count = parse_constant();
+    advance();
+    ListBuilder<ast::Expression> elements(*this);
+    if (!at(TokenKind::right_parenthesis)) {
+        do
+            elements.add(parse_initial_value());
+        while (accept(TokenKind::comma));
+    }
+    expect_closing(TokenKind::right_parenthesis);
+    node->elements = elements.finish();
+    if (node->elements.size() > 1)
+        report_node(*node->elements[1], DiagnosticId::repeated_group);
+    return finish(node);
+}
+
+// structure_initialization = "(" structure_element_initialization
+//                            { "," structure_element_initialization } ")" ;
+const ast::Expression* Parser::parse_structure_initialization() {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_expression();
+    auto* node = make<ast::StructureInitialization>();
+    advance();
+    ListBuilder<ast::StructureElementInitialization> elements(*this);
+    do
+        elements.add(parse_structure_element_initialization());
+    while (accept(TokenKind::comma) || accept_missing_comma());
+    expect_closing(TokenKind::right_parenthesis);
+    node->elements = elements.finish();
+    return finish(node);
+}
+
+// structure_element_initialization = structure_element_name ":="
+//     ( constant | enumerated_value | array_initialization | structure_initialization ) ;
+const ast::StructureElementInitialization* Parser::parse_structure_element_initialization() {
+    auto* node = make<ast::StructureElementInitialization>();
+    node->name = parse_name("the name of a structure element");
+    expect_assign();
+    node->value = parse_initial_value();
+    return finish(node);
+}
+
+} // namespace iecfront

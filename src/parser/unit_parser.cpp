@@ -1,0 +1,124 @@
+#include "parser/unit_parser.hpp"
+
+#include "parser/parser.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace iecfront {
+namespace {
+
+/// Where each unit stands among tokens, trivia and diagnostics, while going through them once.
+class UnitParser {
+public:
+    UnitParser(const LexedUnits& source, const ParseOptions& options)
+        : source_(source), options_(options) {}
+
+    [[nodiscard]] std::shared_ptr<const Unit> parse_next() {
+        const std::uint32_t end_token = source_.cuts[cut_].end_token;
+        const std::uint32_t end = source_.unit_end(cut_);
+        const bool last = ++cut_ == source_.cuts.size();
+
+        Unit::Parts parts;
+        parts.buffer = source_.buffer;
+        parts.encoding = source_.encoding;
+        parts.text = std::string_view(*source_.buffer).substr(begin_, end - begin_);
+        parts.depends_on_rest = source_.lexed.depends_on_rest_from < end;
+        parts.arena = Arena(std::size_t{end_token - token_ + 2} * bytes_per_token);
+        const std::span<const Token> tokens = take_tokens(end_token, end, parts.arena);
+        parts.tokens = tokens.first(tokens.size() - 1);
+        parts.trivia = take_trivia(end, parts.arena);
+        parts.diagnostics = take_diagnostics(end, last);
+
+        Parser parser(parts.text, tokens, parts.arena, options_);
+        parts.root = parser.parse_library_unit();
+        append_sorted(parts.diagnostics, parser.take_diagnostics());
+        begin_ = end;
+        return std::make_shared<const Unit>(std::move(parts));
+    }
+
+    [[nodiscard]] bool done() const noexcept { return cut_ == source_.cuts.size(); }
+
+private:
+    /// Of arena for the tokens and nodes of a unit: about what typical source needs, so that a unit
+    /// takes one chunk or two.
+    static constexpr std::size_t bytes_per_token = 20;
+
+    std::span<const Token> take_tokens(std::uint32_t end_token, std::uint32_t end, Arena& arena) {
+        const std::size_t count = end_token - token_;
+        auto* tokens =
+            static_cast<Token*>(arena.allocate((count + 1) * sizeof(Token), alignof(Token)));
+        for (std::size_t i = 0; i < count; ++i)
+            tokens[i] = source_.lexed.tokens[token_ + i].moved_back(begin_);
+        tokens[count] = Token(TokenKind::end_of_unit, end - begin_, 0, true);
+        token_ = end_token;
+        return {tokens, count + 1};
+    }
+
+    std::span<const Trivia> take_trivia(std::uint32_t end, Arena& arena) {
+        std::vector<Trivia> trivia;
+        for (; trivia_ < source_.lexed.trivia.size(); ++trivia_) {
+            const Trivia& here = source_.lexed.trivia[trivia_];
+            if (here.range.begin >= end)
+                break;
+            trivia.push_back({{here.range.begin - begin_, here.range.end - begin_}, here.kind});
+        }
+        return arena.copy(std::span<const Trivia>(trivia));
+    }
+
+    std::vector<Diagnostic> take_diagnostics(std::uint32_t end, bool last) {
+        std::vector<Diagnostic> diagnostics;
+        for (; diagnostic_ < source_.lexed.diagnostics.size(); ++diagnostic_) {
+            const Diagnostic& here = source_.lexed.diagnostics[diagnostic_];
+            if (here.range.begin >= end && !last)
+                break;
+            diagnostics.push_back(shifted(here, 0U - begin_));
+        }
+        return diagnostics;
+    }
+
+    static void append_sorted(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
+        all.insert(all.end(), std::make_move_iterator(more.begin()),
+                   std::make_move_iterator(more.end()));
+        std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
+            return a.range.begin < b.range.begin;
+        });
+    }
+
+    const LexedUnits& source_;
+    const ParseOptions& options_;
+    std::size_t cut_ = 0;
+    std::uint32_t begin_ = 0;
+    std::uint32_t token_ = 0;
+    std::size_t trivia_ = 0;
+    std::size_t diagnostic_ = 0;
+};
+
+} // namespace
+
+std::uint32_t LexedUnits::unit_end(std::size_t index) const noexcept {
+    const std::uint32_t end_token = cuts[index].end_token;
+    const bool last = index + 1 == cuts.size();
+    return last || end_token == 0 ? size() : lexed.tokens[end_token - 1].end();
+}
+
+LexedUnits lex_units(std::shared_ptr<const std::string> buffer, Encoding encoding,
+                     bool at_file_start) {
+    LexedUnits result{std::move(buffer), encoding, {}, {}};
+    result.lexed = lex(*result.buffer, encoding, at_file_start);
+    result.cuts = cut_units(result.lexed.tokens);
+    return result;
+}
+
+std::vector<std::shared_ptr<const Unit>> parse_units(const LexedUnits& source,
+                                                     const ParseOptions& options) {
+    std::vector<std::shared_ptr<const Unit>> units;
+    units.reserve(source.cuts.size());
+    UnitParser parser(source, options);
+    while (!parser.done())
+        units.push_back(parser.parse_next());
+    return units;
+}
+
+} // namespace iecfront

@@ -1,0 +1,311 @@
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/literals.hpp>
+#include <iecfront/lexer/name.hpp>
+
+namespace iecfront {
+namespace {
+
+using ast::BlockQualifier;
+using ast::VariableBlock;
+
+constexpr TokenSet block_openers = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
+
+constexpr TokenSet ends_of_declarations =
+    block_openers | TokenSet{TokenKind::end_of_unit,     TokenKind::kw_end_var,
+                             TokenKind::kw_end_struct,   TokenKind::kw_end_type,
+                             TokenKind::kw_end_function, TokenKind::kw_end_function_block,
+                             TokenKind::kw_end_program,  TokenKind::kw_end_configuration,
+                             TokenKind::kw_end_resource, TokenKind::kw_if,
+                             TokenKind::kw_case,         TokenKind::kw_for,
+                             TokenKind::kw_while,        TokenKind::kw_repeat,
+                             TokenKind::kw_return,       TokenKind::kw_exit,
+                             TokenKind::kw_initial_step};
+
+VariableBlock block_of(TokenKind opener) noexcept {
+    return static_cast<VariableBlock>(static_cast<unsigned>(opener) -
+                                      static_cast<unsigned>(TokenKind::kw_var));
+}
+
+/// Which blocks each place can have (B.1.5, B.1.7), and which qualifiers (B.1.4.3).
+struct BlockRow {
+    bool function, function_block, program, configuration, resource;
+    bool constant, retain, non_retain;
+};
+
+constexpr BlockRow block_rows[] = {
+    //               FUNCTION  FB     PROGRAM CONFIG RESOURCE  CONSTANT RETAIN NON_RETAIN
+    /* VAR          */ {true, true, true, false, false, true, true, true},
+    /* VAR_INPUT    */ {true, true, true, false, false, false, true, true},
+    /* VAR_OUTPUT   */ {true, true, true, false, false, false, true, true},
+    /* VAR_IN_OUT   */ {true, true, true, false, false, false, false, false},
+    /* VAR_TEMP     */ {false, true, true, false, false, false, false, false},
+    /* VAR_EXTERNAL */ {false, true, true, false, false, true, false, false},
+    /* VAR_GLOBAL   */ {false, false, true, true, true, true, true, true},
+    /* VAR_ACCESS   */ {false, false, true, true, false, false, false, false},
+    /* VAR_CONFIG   */ {false, false, false, true, false, false, false, false},
+};
+
+} // namespace
+
+bool Parser::at_end_of_declarations() {
+    if (at(ends_of_declarations))
+        return peek() != TokenKind::colon || at(TokenKind::end_of_unit);
+    if (at_misspelt_closer())
+        return true;
+    // Statements in a declaration block: its END_VAR is missing.
+    return open_.back().closer == TokenKind::kw_end_var && unclosed(TokenKind::kw_end_var) > 0 &&
+           at_statement_start() && !is_elementary_type_name(peek_second());
+}
+
+// ---- blocks -------------------------------------------------------------------------------------
+
+/// input_declarations, output_declarations, input_output_declarations, var_declarations,
+/// retentive_var_declarations, non_retentive_var_decls, located_var_declarations,
+/// incompl_located_var_declarations, temp_var_decls, external_var_declarations,
+/// global_var_declarations, access_declarations, program_access_decls,
+/// instance_specific_initializations: they differ in their word and in what is checked afterwards.
+const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place) {
+    auto* node = make<ast::VariableDeclarations>();
+    node->block = block_of(kind());
+    const std::uint32_t opener = advance();
+    open_block(TokenKind::kw_end_var, opener);
+    node->qualifier = parse_block_qualifiers();
+    check_block(*node, place);
+    ListBuilder<ast::Node> declarations(*this);
+    while (!at_end_of_declarations())
+        declarations.add(parse_declaration(*node, place));
+    if (declarations.empty())
+        report_empty_block(opener);
+    node->declarations = declarations.finish();
+    check_mixed(*node);
+    close_block("");
+    finish(node);
+    accept_extra_semicolon("END_VAR");
+    return node;
+}
+
+// [ "CONSTANT" | "RETAIN" | "NON_RETAIN" ]
+ast::BlockQualifier Parser::parse_block_qualifiers() {
+    BlockQualifier qualifier = BlockQualifier::none;
+    for (;; advance()) {
+        BlockQualifier here{};
+        switch (kind()) {
+        case TokenKind::kw_constant: here = BlockQualifier::constant; break;
+        case TokenKind::kw_retain: here = BlockQualifier::retain; break;
+        case TokenKind::kw_non_retain: here = BlockQualifier::non_retain; break;
+        default: return qualifier;
+        }
+        if (qualifier != BlockQualifier::none)
+            report_at(at_, DiagnosticId::several_qualifiers).remove(token().range());
+        else
+            qualifier = here;
+    }
+}
+
+void Parser::check_block(const ast::VariableDeclarations& block, Place place) {
+    const BlockRow& row = block_rows[static_cast<std::size_t>(block.block)];
+    const std::uint32_t opener = block.first_token;
+    const std::string word(text(opener));
+    bool fits = true;
+    std::string_view where = "library";
+    switch (place) {
+    case Place::function: fits = row.function, where = "function"; break;
+    case Place::function_block: fits = row.function_block, where = "function block"; break;
+    case Place::program: fits = row.program, where = "program"; break;
+    case Place::configuration: fits = row.configuration, where = "configuration"; break;
+    case Place::resource: fits = row.resource, where = "resource"; break;
+    case Place::library: return;
+    }
+    if (!fits && place == Place::function &&
+        (block.block == VariableBlock::var_external || block.block == VariableBlock::var_temp))
+        report_at(opener, DiagnosticId::block_in_function, {word});
+    else if (!fits)
+        report_at(opener, DiagnosticId::block_not_in_this_unit, {word, std::string(where)});
+    else
+        check_qualifier(block, place);
+}
+
+void Parser::check_qualifier(const ast::VariableDeclarations& block, Place place) {
+    const BlockRow& row = block_rows[static_cast<std::size_t>(block.block)];
+    bool fits = true;
+    switch (block.qualifier) {
+    case BlockQualifier::none: return;
+    case BlockQualifier::constant: fits = row.constant; break;
+    case BlockQualifier::retain: fits = row.retain && place != Place::function; break;
+    case BlockQualifier::non_retain: fits = row.non_retain && place != Place::function; break;
+    }
+    if (fits)
+        return;
+    const std::uint32_t qualifier = next(block.first_token);
+    report_at(qualifier, DiagnosticId::qualifier_of_block,
+              {std::string(text(qualifier)), std::string(text(block.first_token))});
+}
+
+// ---- declarations -------------------------------------------------------------------------------
+
+const ast::Node* Parser::parse_declaration(const ast::VariableDeclarations& block, Place place) {
+    if (block.block == VariableBlock::var_access)
+        return parse_access_declaration(place);
+    if (block.block == VariableBlock::var_config)
+        return parse_instance_specific_init();
+    if (!at(TokenKind::identifier) && !at(TokenKind::kw_at) && !at_declaration_start())
+        return parse_error_declaration("the declaration of a variable");
+    return parse_variable_declaration(block, place);
+}
+
+/// var_init_decl, located_var_decl, external_declaration, global_var_decl, temp_var_decl,
+/// var_declaration, edge_declaration, incompl_located_var_decl:
+///     [ names ] [ location ] ":" specification [ edge ] [ ":=" initial value ]
+const ast::VariableDeclaration*
+Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place place) {
+    auto* node = make<ast::VariableDeclaration>();
+    ListBuilder<ast::Identifier> names(*this);
+    if (!at(TokenKind::kw_at) || peek() == TokenKind::colon || peek() == TokenKind::comma)
+        parse_declared_names(names, block);
+    node->names = names.finish();
+    node->location = parse_optional_location();
+    expect_colon();
+    node->specification = parse_type_specification();
+    node->edge = parse_optional_edge(block, place, *node->specification);
+    node->initial_value = parse_optional_initial_value();
+    finish(node);
+    check_declaration(*node, block, place);
+    expect_semicolon_of_declaration();
+    return node;
+}
+
+// var1_list = variable_name { "," variable_name } ;
+void Parser::parse_declared_names(ListBuilder<ast::Identifier>& names,
+                                  const ast::VariableDeclarations& block) {
+    do
+        names.add(parse_variable_name(block));
+    while (accept(TokenKind::comma) || (at(TokenKind::identifier) && accept_missing_comma()));
+}
+
+/// A variable's name in its declaration; EN and ENO have their places (6.1 D23).
+const ast::Identifier* Parser::parse_variable_name(const ast::VariableDeclarations& block) {
+    const bool execution_control =
+        (at(TokenKind::kw_en) && block.block == VariableBlock::var_input) ||
+        (at(TokenKind::kw_eno) && block.block == VariableBlock::var_output);
+    return execution_control ? make_identifier() : parse_declared_name("the name of a variable");
+}
+
+// location = "AT" direct_variable ;
+// incompl_location = "AT" "%" ( "I" | "Q" | "M" ) "*" ;
+const ast::Location* Parser::parse_optional_location() {
+    if (!at(TokenKind::kw_at))
+        return nullptr;
+    auto* node = make<ast::Location>();
+    advance();
+    if (at(TokenKind::direct_variable) || at(TokenKind::incomplete_location)) {
+        node->variable = parse_direct_variable();
+    } else {
+        report_unexpected("a directly represented variable");
+        auto* error = make<ast::ErrorExpression>();
+        if (!at(TokenKind::colon) && !at(ends_of_declarations) && !at(TokenKind::semicolon))
+            advance();
+        node->variable = finish(error);
+    }
+    return finish(node);
+}
+
+// direct_variable = "%" location_prefix size_prefix integer { "." integer } ;
+const ast::Expression* Parser::parse_direct_variable() {
+    auto* node = make<ast::DirectVariable>();
+    advance();
+    return finish(node);
+}
+
+// ( "R_EDGE" | "F_EDGE" )
+ast::Edge Parser::parse_optional_edge(const ast::VariableDeclarations& block, Place place,
+                                      const ast::TypeSpecification& type) {
+    if (!at(TokenKind::kw_r_edge) && !at(TokenKind::kw_f_edge))
+        return ast::Edge::none;
+    const std::string word(text(at_));
+    const bool is_bool = type.kind == ast::NodeKind::elementary_type_name &&
+                         tokens_[type.first_token].kind() == TokenKind::kw_bool;
+    if (block.block != VariableBlock::var_input || place == Place::function)
+        report_at(at_, DiagnosticId::edge_outside_input, {word}).remove(token().range());
+    else if (!is_bool || peek() == TokenKind::assign)
+        report_at(at_, DiagnosticId::edge_needs_bool, {word});
+    return tokens_[advance()].kind() == TokenKind::kw_r_edge ? ast::Edge::rising
+                                                             : ast::Edge::falling;
+}
+
+// ---- checks -------------------------------------------------------------------------------------
+
+void Parser::check_declaration(const ast::VariableDeclaration& declaration,
+                               const ast::VariableDeclarations& block, Place place) {
+    const bool no_value = block.block == VariableBlock::var_in_out ||
+                          block.block == VariableBlock::var_temp ||
+                          block.block == VariableBlock::var_external;
+    const bool incomplete =
+        declaration.location != nullptr &&
+        tokens_[declaration.location->end_token - 1].kind() == TokenKind::incomplete_location;
+    if (declaration.initial_value != nullptr && (no_value || incomplete)) {
+        const std::uint32_t end = declaration.specification->end_token;
+        report_node(*declaration.initial_value, DiagnosticId::unexpected_initial_value,
+                    {incomplete ? "AT %...*" : std::string(text(block.first_token))})
+            .remove({tokens_[end - 1].end(), tokens_[declaration.end_token - 1].end()});
+    }
+    if (block.block == VariableBlock::var_external && declaration.names.size() > 1)
+        report(DiagnosticId::several_external_names,
+               token_range(declaration.names[1]->first_token, declaration.names.back()->end_token));
+    if (declaration.location != nullptr)
+        check_location(declaration, block, place);
+}
+
+/// Where a location can stand: in VAR of a program and in VAR_GLOBAL; `%I*` in VAR of a program or
+/// function block (2.4.1.1, 2.4.3.1).
+void Parser::check_location(const ast::VariableDeclaration& declaration,
+                            const ast::VariableDeclarations& block, Place place) {
+    const ast::Location& location = *declaration.location;
+    const bool incomplete =
+        tokens_[location.end_token - 1].kind() == TokenKind::incomplete_location;
+    const bool var = block.block == VariableBlock::var;
+    const bool global = block.block == VariableBlock::var_global;
+    if (!var && !global)
+        report_node(location, DiagnosticId::name_with_location,
+                    {std::string(text(block.first_token))});
+    else if (incomplete && (global || place == Place::function))
+        report_node(location, DiagnosticId::incomplete_location);
+    else if (incomplete && declaration.names.empty())
+        report_node(location, DiagnosticId::location_needs_name);
+    else if (!incomplete && var && place == Place::function)
+        report_node(location, DiagnosticId::location_of_this_unit, {"function"});
+    else if (!incomplete && var && place == Place::function_block)
+        report_node(location, DiagnosticId::location_of_this_unit, {"function block"});
+    if (declaration.names.size() > 1)
+        report(DiagnosticId::several_located_names,
+               token_range(declaration.names[1]->first_token, declaration.names.back()->end_token));
+}
+
+/// Located, incompletely located and plain declarations stand in blocks of their own (6.2 A19).
+void Parser::check_mixed(const ast::VariableDeclarations& block) {
+    if (block.block != VariableBlock::var)
+        return;
+    const auto form = [this](const ast::VariableDeclaration& declaration) -> std::string_view {
+        if (declaration.location == nullptr)
+            return "plain";
+        const std::uint32_t last = declaration.location->end_token - 1;
+        return tokens_[last].kind() == TokenKind::incomplete_location ? "incompletely located"
+                                                                      : "located";
+    };
+    const ast::VariableDeclaration* first = nullptr;
+    for (const ast::Node* node : block.declarations) {
+        const auto* declaration = ast::as<ast::VariableDeclaration>(node);
+        if (declaration == nullptr)
+            continue;
+        if (first == nullptr)
+            first = declaration;
+        if (form(*declaration) == form(*first))
+            continue;
+        report_node(*declaration, DiagnosticId::mixed_block,
+                    {std::string(form(*first)), std::string(form(*declaration))})
+            .label(LabelId::first_given, first->first_token);
+        return;
+    }
+}
+
+} // namespace iecfront
