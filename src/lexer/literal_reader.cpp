@@ -8,19 +8,19 @@ namespace iecfront::literals {
 namespace {
 
 bool is_letter_or_digit(char c) noexcept {
-    return is_decimal_digit(c) || is_ascii_letter(c);
+    return is_digit(c) || is_ascii_letter(c);
 }
 
 bool begins_with_digit_after_underscores(std::string_view rest) noexcept {
     const std::size_t at = rest.find_first_not_of('_');
-    return at == std::string_view::npos || is_decimal_digit(rest[at]);
+    return at == std::string_view::npos || is_digit(rest[at]);
 }
 
 // `1_`, `1_.0` and `1.0_E3` hold a misplaced underscore, but `1_abc` a suffix.
 bool takes_underscore_in_number(std::string_view rest) noexcept {
     if (rest.empty() || exponent_begins(rest))
         return true;
-    return !is_ascii_letter(rest.front()) && !is_beyond_ascii(rest.front());
+    return !is_ascii_letter(rest.front()) && is_ascii(rest.front());
 }
 
 bool takes_any_underscore(std::string_view) noexcept {
@@ -34,11 +34,11 @@ bool takes_underscore_before_unit(std::string_view rest) noexcept {
 
 } // namespace
 
-const DigitRules decimal_digits = {is_decimal_digit, takes_underscore_in_number,
+const DigitRules decimal_digits = {is_digit, takes_underscore_in_number,
                                    DiagnosticId::misplaced_underscore};
 const DigitRules based_digits = {is_letter_or_digit, takes_any_underscore,
                                  DiagnosticId::misplaced_underscore};
-const DigitRules duration_digits = {is_decimal_digit, takes_underscore_before_unit,
+const DigitRules duration_digits = {is_digit, takes_underscore_before_unit,
                                     DiagnosticId::duration_underscore};
 
 bool exponent_begins(std::string_view rest) noexcept {
@@ -88,6 +88,10 @@ DiagnosticFix replacement(TextRange range, std::string_view text) {
     return {{TextEdit{range, std::string(text)}}};
 }
 
+bool is_one_of(std::string_view name, const PrefixNames& names) noexcept {
+    return names_equal(name, names[0]) || names_equal(name, names[1]);
+}
+
 void LiteralFaults::report(DiagnosticId id, TextRange range,
                            std::vector<DiagnosticArgument> arguments,
                            std::vector<DiagnosticFix> fixes) {
@@ -116,22 +120,17 @@ bool LiteralReader::accept(char c) noexcept {
     return true;
 }
 
-bool LiteralReader::accept_prefix(std::initializer_list<std::string_view> names) noexcept {
+bool LiteralReader::accept_prefix(const PrefixNames& names) noexcept {
     const std::size_t sign = text_.find('#');
-    if (sign == std::string_view::npos)
+    if (sign == std::string_view::npos || !is_one_of(text_.substr(0, sign), names))
         return false;
-    for (const std::string_view name : names) {
-        if (names_equal(text_.substr(0, sign), name)) {
-            at_ = static_cast<std::uint32_t>(sign + 1);
-            return true;
-        }
-    }
-    return false;
+    at_ = static_cast<std::uint32_t>(sign + 1);
+    return true;
 }
 
 TextRange LiteralReader::letters() noexcept {
     const std::uint32_t begin = at_;
-    while (is_ascii_letter(peek()) || is_beyond_ascii(peek()))
+    while (is_ascii_letter(peek()) || !is_ascii(peek()))
         ++at_;
     return from(begin);
 }
@@ -144,19 +143,19 @@ TextRange LiteralReader::underscores() noexcept {
 
 TextRange LiteralReader::digits(const DigitRules& rules) {
     const std::uint32_t behind = underscores_end(at_);
-    if (behind != at_ && (behind == end() || rules.is_digit(text_[behind]))) {
+    if (behind != at_ && (behind == end() || rules.takes(text_[behind]))) {
         report_underscores(rules, {at_, behind});
         at_ = behind;
     }
     TextRange digits = here();
-    while (rules.is_digit(peek())) {
-        while (rules.is_digit(peek()))
+    while (rules.takes(peek())) {
+        while (rules.takes(peek()))
             ++at_;
         digits.end = at_;
         const std::uint32_t next = underscores_end(at_);
         if (next == at_)
             break;
-        if (next != end() && rules.is_digit(text_[next])) {
+        if (next != end() && rules.takes(text_[next])) {
             report_underscores(rules, {at_ + 1, next});
             at_ = next;
         } else if (rules.takes_underscore_before(text_.substr(next))) {
@@ -183,9 +182,14 @@ std::uint32_t LiteralReader::underscores_end(std::uint32_t at) const noexcept {
 
 TypePrefix type_prefix_of(std::string_view text) noexcept {
     const std::size_t sign = text.find('#');
-    if (sign == std::string_view::npos || sign == 0 || is_decimal_digit(text.front()))
+    if (sign == std::string_view::npos || sign == 0 || is_digit(text.front()))
         return {};
-    TypePrefix prefix{text.substr(0, sign), std::nullopt, static_cast<std::uint32_t>(sign + 1)};
+    TypePrefix prefix;
+    prefix.name = text.substr(0, sign);
+    prefix.end = static_cast<std::uint32_t>(sign + 1);
+    for (const PrefixNames& names :
+         {duration_prefixes, date_prefixes, time_of_day_prefixes, date_and_time_prefixes})
+        prefix.time_literal = prefix.time_literal || is_one_of(prefix.name, names);
     for (auto kind = static_cast<unsigned>(TokenKind::kw_bool);
          is_elementary_type_name(static_cast<TokenKind>(kind)); ++kind)
         if (names_equal(prefix.name, spelling(static_cast<TokenKind>(kind))))

@@ -1,14 +1,16 @@
 #pragma once
 
+#include "lexer/characters.hpp"
+
 #include <iecfront/diagnostics/diagnostic.hpp>
 #include <iecfront/lexer/name.hpp>
 #include <iecfront/lexer/token.hpp>
 #include <iecfront/source/encoding.hpp>
 #include <iecfront/source/text_range.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,19 +20,13 @@
 // What the scanners of all classes of literals share.
 namespace iecfront::literals {
 
-[[nodiscard]] constexpr bool is_decimal_digit(char c) noexcept {
-    return c >= '0' && c <= '9';
-}
 [[nodiscard]] constexpr bool is_ascii_letter(char c) noexcept {
     return fold(c) >= 'A' && fold(c) <= 'Z';
-}
-[[nodiscard]] constexpr bool is_beyond_ascii(char c) noexcept {
-    return static_cast<unsigned char>(c) >= 0x80;
 }
 
 // The value of a letter or digit as a digit of any base up to 36; 36 for everything else.
 [[nodiscard]] constexpr unsigned digit_value(char c) noexcept {
-    if (is_decimal_digit(c))
+    if (is_digit(c))
         return static_cast<unsigned>(c - '0');
     return is_ascii_letter(c) ? static_cast<unsigned>(fold(c) - 'A') + 10U : 36U;
 }
@@ -87,7 +83,7 @@ private:
 
 // How digits with underscores are read where a number stands.
 struct DigitRules {
-    bool (*is_digit)(char) noexcept;
+    bool (*takes)(char) noexcept;
     // Whether an underscore that stands between the last digit and `rest` is a misplaced one of
     // this number; otherwise it belongs to whatever comes next.
     bool (*takes_underscore_before)(std::string_view rest) noexcept;
@@ -96,6 +92,15 @@ struct DigitRules {
 extern const DigitRules decimal_digits; // integer (B.1.2.1)
 extern const DigitRules based_digits;   // any letter and digit: the wrong ones are sorted out later
 extern const DigitRules duration_digits; // before a unit
+
+// The two spellings of a prefix (Tables 7 and 8).
+using PrefixNames = std::array<std::string_view, 2>;
+inline constexpr PrefixNames duration_prefixes = {"T", "TIME"};
+inline constexpr PrefixNames date_prefixes = {"D", "DATE"};
+inline constexpr PrefixNames time_of_day_prefixes = {"TOD", "TIME_OF_DAY"};
+inline constexpr PrefixNames date_and_time_prefixes = {"DT", "DATE_AND_TIME"};
+
+[[nodiscard]] bool is_one_of(std::string_view name, const PrefixNames& names) noexcept;
 
 // Walks over the text of one literal.
 class LiteralReader {
@@ -126,7 +131,7 @@ public:
     void move_to(std::uint32_t at) noexcept { at_ = at; }
     bool accept(char c) noexcept;
     // Moves behind `name#` when the text begins with one of the names, in any case.
-    bool accept_prefix(std::initializer_list<std::string_view> names) noexcept;
+    bool accept_prefix(const PrefixNames& names) noexcept;
     TextRange letters() noexcept;
     TextRange underscores() noexcept;
     // digit { [ "_" ] digit }, from the first digit to behind the last; empty when there is none.
@@ -150,6 +155,7 @@ private:
 struct TypePrefix {
     std::string_view name;         // empty when there is none
     std::optional<TokenKind> type; // nothing for the name of a derived type
+    bool time_literal = false;     // `T`, `TOD` ...: no number or string can follow
     std::uint32_t end = 0;         // behind the `#`
 };
 [[nodiscard]] TypePrefix type_prefix_of(std::string_view text) noexcept;

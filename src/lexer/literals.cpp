@@ -22,20 +22,22 @@ NumericValue number_value(std::string_view text) {
     return faults.has_value() ? value : NumericValue();
 }
 
+bool begins_with_quote(std::string_view text) noexcept {
+    return !text.empty() && (text.front() == '\'' || text.front() == '"');
+}
+
 void check_typed(std::string_view text, Encoding encoding, LiteralFaults& faults) {
-    const TypePrefix prefix = type_prefix_of(text);
-    const std::string_view rest = text.substr(prefix.end);
-    const auto type = prefix.type.value_or(TokenKind::identifier);
-    if (!rest.empty() && (rest.front() == '\'' || rest.front() == '"'))
-        scan_string(text, encoding, faults, nullptr);
-    else if (type == TokenKind::kw_time)
+    LiteralReader reader(text, encoding, faults);
+    if (reader.accept_prefix(duration_prefixes))
         scan_duration(text, encoding, faults);
-    else if (type == TokenKind::kw_date)
+    else if (reader.accept_prefix(date_prefixes))
         scan_date(text, encoding, faults);
-    else if (type == TokenKind::kw_tod || type == TokenKind::kw_time_of_day)
+    else if (reader.accept_prefix(time_of_day_prefixes))
         scan_time_of_day(text, encoding, faults);
-    else if (type == TokenKind::kw_dt || type == TokenKind::kw_date_and_time)
+    else if (reader.accept_prefix(date_and_time_prefixes))
         scan_date_and_time(text, encoding, faults);
+    else if (begins_with_quote(text.substr(type_prefix_of(text).end)))
+        scan_string(text, encoding, faults, nullptr);
     else
         static_cast<void>(scan_number(text, encoding, faults));
 }

@@ -32,9 +32,7 @@ std::string_view needs_of(TokenKind type) noexcept {
     case TypeClass::real: return "a real literal";
     case TypeClass::other: break;
     }
-    if (type == TokenKind::kw_string)
-        return "a string in single quotes";
-    return type == TokenKind::kw_wstring ? "a string" : "another kind of literal";
+    return type == TokenKind::kw_string ? "a string in single quotes" : "a string";
 }
 
 struct IntegerRange {
@@ -179,7 +177,7 @@ void NumberScanner::report_mismatch(Shape shape) {
     std::vector<DiagnosticFix> fixes;
     const TypeClass type = type_class_of(*prefix_.type);
     const bool plain_integer =
-        shape == Shape::integer && is_decimal_digit(reader_.text().back()) &&
+        shape == Shape::integer && is_digit(reader_.text().back()) &&
         reader_.rest().find_first_not_of("_0123456789") == std::string_view::npos;
     if (type == TypeClass::real && plain_integer)
         fixes.push_back(insertion(reader_.end(), ".0"));
@@ -463,7 +461,7 @@ void report_type_mismatch(const LiteralReader& reader, TokenKind type, std::uint
 }
 
 NumericValue scan_number(std::string_view text, Encoding encoding, LiteralFaults& faults) {
-    if (holds_white_space(text)) {
+    if (holds_white_space(text) || type_prefix_of(text).time_literal) {
         faults.reject();
         return {};
     }

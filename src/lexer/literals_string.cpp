@@ -138,7 +138,7 @@ bool StringScanner::prefix() {
     quote_ = at(open_);
     const std::string_view before = reader_.text().substr(0, open_);
     prefix_ = type_prefix_of(before);
-    if (prefix_.end != open_ || holds_white_space(before)) {
+    if (prefix_.end != open_ || prefix_.time_literal || holds_white_space(before)) {
         reader_.faults().reject();
         return false;
     }
@@ -315,13 +315,17 @@ void StringScanner::report_lower_case(TextRange digits) {
 }
 
 void StringScanner::report_incomplete_hex(TextRange source) {
-    const std::uint32_t digits = source.size() - 1;
-    // `"$0A"` was meant as `"$000A"`, but `'$5'` as the dollars of `'$$5'`.
-    const bool single_byte_code = double_byte_ && digits >= 2;
-    reader_.faults().report(
-        DiagnosticId::incomplete_hex_escape, source, {std::uint64_t{double_byte_ ? 4U : 2U}},
-        {single_byte_code ? insertion(source.begin + 1, std::string(4 - digits, '0'))
-                          : insertion(source.begin, "$")});
+    const std::uint32_t needed = double_byte_ ? 4 : 2;
+    const std::uint32_t found = source.size() - 1;
+    const DiagnosticFix dollar = insertion(source.begin, "$");
+    const DiagnosticFix zeros = insertion(source.begin + 1, std::string(needed - found, '0'));
+    // `"$0A"` and `'$A'` were meant as codes, but `'$5'` as the dollars of `'$$5'`.
+    const bool code_meant = found > 1 || is_ascii_letter(at(source.begin + 1));
+    std::vector<DiagnosticFix> fixes = {zeros, dollar};
+    if (!code_meant)
+        std::swap(fixes.front(), fixes.back());
+    reader_.faults().report(DiagnosticId::incomplete_hex_escape, source, {std::uint64_t{needed}},
+                            std::move(fixes));
 }
 
 void StringScanner::unknown_escape() {

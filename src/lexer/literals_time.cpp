@@ -111,7 +111,7 @@ private:
 };
 
 DurationValue DurationScanner::scan() {
-    if (!reader_.accept_prefix({"T", "TIME"}) || holds_white_space(reader_.text())) {
+    if (!reader_.accept_prefix(duration_prefixes) || holds_white_space(reader_.text())) {
         reader_.faults().reject();
         return {};
     }
@@ -138,7 +138,7 @@ void DurationScanner::sign() {
 bool DurationScanner::begins_with_value() const noexcept {
     const std::string_view rest = reader_.rest();
     const std::size_t behind = rest.find_first_not_of("_.");
-    return behind != std::string_view::npos && is_decimal_digit(rest[behind]);
+    return behind != std::string_view::npos && is_digit(rest[behind]);
 }
 
 // One number with its unit. False when the rest is guesswork.
@@ -262,6 +262,8 @@ DurationValue DurationScanner::value() {
     const std::uint64_t magnitude = value.overflow ? limit : total_;
     value.nanoseconds = static_cast<std::int64_t>(negative_ ? 0 - magnitude : magnitude);
     LiteralFaults& faults = reader_.faults();
+    if (!faults.has_value())
+        return value; // what was reported may have been what made it large
     if (value.overflow)
         faults.report(DiagnosticId::duration_out_of_range, {begin_, reader_.end()},
                       {std::string("64 bits of nanoseconds, about 292 years")});
@@ -292,7 +294,7 @@ public:
     CalendarScanner(LiteralReader& reader, std::string_view form) noexcept
         : reader_(reader), form_(form) {}
 
-    [[nodiscard]] bool prefix(std::initializer_list<std::string_view> names) noexcept;
+    [[nodiscard]] bool prefix(const PrefixNames& names) noexcept;
     // False when the form is wrong, and the rest guesswork.
     bool date(DateValue& value);
     bool time_of_day(TimeOfDayValue& value);
@@ -316,7 +318,7 @@ private:
     std::string_view form_;
 };
 
-bool CalendarScanner::prefix(std::initializer_list<std::string_view> names) noexcept {
+bool CalendarScanner::prefix(const PrefixNames& names) noexcept {
     const bool found = reader_.accept_prefix(names) && !holds_white_space(reader_.text());
     if (!found)
         reader_.faults().reject();
@@ -436,7 +438,7 @@ DateValue scan_date(std::string_view text, Encoding encoding, LiteralFaults& fau
     LiteralReader reader(text, encoding, faults);
     CalendarScanner scanner(reader, "1984-06-25");
     DateValue value;
-    if (scanner.prefix({"D", "DATE"}) && scanner.date(value))
+    if (scanner.prefix(date_prefixes) && scanner.date(value))
         scanner.finish(DiagnosticId::malformed_date);
     return value;
 }
@@ -445,7 +447,7 @@ TimeOfDayValue scan_time_of_day(std::string_view text, Encoding encoding, Litera
     LiteralReader reader(text, encoding, faults);
     CalendarScanner scanner(reader, "15:36:55.36");
     TimeOfDayValue value;
-    if (scanner.prefix({"TOD", "TIME_OF_DAY"}) && scanner.time_of_day(value))
+    if (scanner.prefix(time_of_day_prefixes) && scanner.time_of_day(value))
         scanner.finish(DiagnosticId::malformed_time_of_day);
     return value;
 }
@@ -455,7 +457,7 @@ DateAndTimeValue scan_date_and_time(std::string_view text, Encoding encoding,
     LiteralReader reader(text, encoding, faults);
     CalendarScanner scanner(reader, "1984-06-25-15:36:55.36");
     DateAndTimeValue value;
-    if (scanner.prefix({"DT", "DATE_AND_TIME"}) && scanner.date(value.date) &&
+    if (scanner.prefix(date_and_time_prefixes) && scanner.date(value.date) &&
         scanner.accept('-', DiagnosticId::malformed_time_of_day) && scanner.time_of_day(value.time))
         scanner.finish(DiagnosticId::malformed_time_of_day);
     return value;
