@@ -1,0 +1,152 @@
+#include "cli/check_file.hpp"
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "cli/parallel.hpp"
+#include "cli/platform.hpp"
+#include "cli/progress.hpp"
+
+#include <iecfront/diagnostics/render_json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace iecfront::cli {
+namespace {
+
+[[nodiscard]] bool is_set(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0';
+}
+
+[[nodiscard]] bool wants_colour(Colour colour) {
+    if (colour != Colour::automatic)
+        return colour == Colour::always;
+    const char* terminal = std::getenv("TERM");
+    const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
+    return !is_set("NO_COLOR") && !dumb && is_terminal(stdout);
+}
+
+[[nodiscard]] unsigned job_count(const Options& options) {
+    return options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+}
+
+/// Collects the reports of the files, in order, and says what comes out.
+class CheckRun {
+public:
+    CheckRun(const Options& options, std::vector<Input> inputs)
+        : settings_{options, options.policy(), {wants_colour(options.colour), true}},
+          inputs_(std::move(inputs)),
+          progress_(inputs_.size()) {}
+
+    [[nodiscard]] Status run() {
+        work_in_order(
+            inputs_.size(), job_count(settings_.options),
+            [&](std::size_t i) { return check_file(inputs_[i], settings_); },
+            [&](std::size_t i, const FileReport& report) { take(i, report); });
+        progress_.clear();
+        if (findings_.files == 0 && findings_.determination == Determination::no_violations)
+            findings_.determination = Determination::incomplete;
+        print(as_json() ? json_result() : summary());
+        return status();
+    }
+
+private:
+    [[nodiscard]] bool as_json() const { return settings_.options.format == Format::json; }
+
+    void take(std::size_t i, const FileReport& report) {
+        if (!report.problem.empty())
+            take_problem(on_one_line(inputs_[i].name) + ": " + report.problem);
+        findings_.add(report.findings);
+        if (as_json()) {
+            diagnostics_ += diagnostics_.empty() || report.text.empty() ? "" : ",\n";
+            diagnostics_ += report.text;
+        } else if (!report.text.empty()) {
+            progress_.clear();
+            print(report.text);
+        }
+        progress_.show(i + 1);
+    }
+
+    void take_problem(std::string problem) {
+        progress_.clear();
+        complain(problem);
+        problems_.push_back(std::move(problem));
+        Findings nothing;
+        nothing.determination = Determination::incomplete;
+        findings_.add(nothing);
+    }
+
+    // Lines that say what in this input was left out.
+    [[nodiscard]] std::vector<std::string> left_out() const {
+        std::vector<std::string> lines = problems_;
+        for (const DiagnosticId id : findings_.limits)
+            lines.push_back(code_string(id) + " " + std::string(diagnostic_info(id).name));
+        return lines;
+    }
+
+    [[nodiscard]] std::string summary() const {
+        std::string out = counted(findings_.files, "file");
+        if (findings_.errors > 0)
+            out += ", " + counted(findings_.errors, "error");
+        if (findings_.warnings > 0)
+            out += ", " + counted(findings_.warnings, "warning");
+        switch (findings_.determination) {
+        case Determination::no_violations: return out + ": no violations\n";
+        case Determination::violations: return out + ": violations were found\n";
+        case Determination::incomplete: break;
+        }
+        out += ": no violations found, but the examination is incomplete\n";
+        for (const std::string& line : left_out())
+            out += "  not examined: " + line + "\n";
+        for (const std::string_view line : never_examined())
+            out += "  never examined by this version: " + std::string(line) + "\n";
+        return out;
+    }
+
+    [[nodiscard]] std::string json_result() const {
+        std::vector<std::string> not_examined = left_out();
+        for (const std::string_view line : never_examined())
+            not_examined.emplace_back(line);
+        std::string out = "{\"determination\": ";
+        append_json_string(out, to_string(findings_.determination));
+        out += ",\n\"notExamined\": [";
+        const char* separator = "";
+        for (const std::string& line : not_examined) {
+            out += separator;
+            append_json_string(out, line);
+            separator = ", ";
+        }
+        out += "],\n\"files\": " + std::to_string(findings_.files) + ",\n\"diagnostics\": [";
+        if (!diagnostics_.empty())
+            out += "\n" + diagnostics_ + "\n";
+        return out + "]}\n";
+    }
+
+    // What could not be read counts most: it may hold anything.
+    [[nodiscard]] Status status() const {
+        if (!problems_.empty())
+            return Status::unusable;
+        if (findings_.determination == Determination::violations)
+            return Status::violations;
+        return findings_.limits.empty() ? Status::nothing_found : Status::incomplete;
+    }
+
+    CheckSettings settings_;
+    std::vector<Input> inputs_;
+    Progress progress_;
+    Findings findings_;
+    std::vector<std::string> problems_;
+    std::string diagnostics_; // JSON
+};
+
+} // namespace
+
+Status run_check(const Options& options) {
+    return CheckRun(options, find_inputs(options.operands)).run();
+}
+
+} // namespace iecfront::cli

@@ -1,0 +1,241 @@
+#include "cli/commands.hpp"
+
+#include "cli/near_names.hpp"
+#include "cli/platform.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <string>
+
+namespace iecfront::cli {
+namespace {
+
+// ---- what the values of options mean
+// -------------------------------------------------------------
+
+[[nodiscard]] std::string quoted(std::string_view text) {
+    return "`" + on_one_line(std::string(text)) + "`";
+}
+
+/// Names for the values of an option.
+template<class Value>
+struct Choice {
+    std::string_view name;
+    Value value;
+};
+
+template<class Value>
+[[nodiscard]] Value choose(std::string_view option, std::string_view name,
+                           std::span<const Choice<Value>> choices) {
+    std::string all;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (choices[i].name == name)
+            return choices[i].value;
+        all += i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ";
+        all += choices[i].name;
+    }
+    throw UsageError(quoted(name) + " is no value for `" + std::string(option) + "`: " + all);
+}
+
+template<std::uint64_t least, std::uint64_t most>
+[[nodiscard]] std::uint64_t number(std::string_view option, std::string_view text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value < least || value > most)
+        throw UsageError(quoted(text) + " is no value for `" + std::string(option) +
+                         "`: a number from " + std::to_string(least) + " to " +
+                         std::to_string(most));
+    return value;
+}
+
+void set_text_or_json(Options& options, std::string_view value) {
+    constexpr std::array<Choice<Format>, 2> formats = {
+        {{"text", Format::text}, {"json", Format::json}}};
+    options.format = choose<Format>("--format", value, formats);
+}
+
+void set_tree_or_json(Options& options, std::string_view value) {
+    constexpr std::array<Choice<Format>, 2> formats = {
+        {{"tree", Format::text}, {"json", Format::json}}};
+    options.format = choose<Format>("--format", value, formats);
+}
+
+void set_colour(Options& options, std::string_view value) {
+    constexpr std::array<Choice<Colour>, 3> colours = {
+        {{"auto", Colour::automatic}, {"always", Colour::always}, {"never", Colour::never}}};
+    options.colour = choose<Colour>("--color", value, colours);
+}
+
+void set_encoding(Options& options, std::string_view value) {
+    const std::optional<Encoding> encoding = encoding_from_string(value);
+    if (!encoding)
+        throw UsageError(quoted(value) +
+                         " is no value for `--encoding`: utf-8, iso-8859-1 or windows-1252");
+    options.encoding = *encoding;
+}
+
+// The stack of a thread, 8 MiB and sometimes less, has to hold so many levels, also in a build with
+// all checks.
+constexpr std::uint64_t most_nesting = 1000;
+
+void set_nesting(Options& options, std::string_view value) {
+    options.parse.maximum_nesting =
+        static_cast<std::uint32_t>(number<1, most_nesting>("--max-nesting", value));
+}
+
+void set_jobs(Options& options, std::string_view value) {
+    options.jobs = static_cast<unsigned>(number<1, 1024>("--jobs", value));
+}
+
+void set_findings(Options& options, std::string_view value) {
+    options.maximum_findings =
+        static_cast<std::size_t>(number<0, UINT32_MAX>("--max-findings", value));
+}
+
+void set_strict(Options& options, std::string_view) {
+    options.strict = true;
+}
+
+void set_list(Options& options, std::string_view) {
+    options.list = true;
+}
+
+[[nodiscard]] std::vector<std::string> severity_names() {
+    std::vector<std::string> names = {"violation", "error", "extension", "implementation-dependent",
+                                      "limit"};
+    for (const DiagnosticInfo& row : diagnostic_catalogue()) {
+        names.push_back(code_string(row.id));
+        names.emplace_back(row.name);
+    }
+    return names;
+}
+
+void add_severity(Options& options, std::string_view what, Severity severity) {
+    SeverityPolicy scratch;
+    if (!scratch.set(what, severity))
+        throw UsageError(quoted(what) + " is no code, name or class of diagnostics" +
+                         did_you_mean(what, severity_names()));
+    options.severities.emplace_back(what, severity);
+}
+
+void set_warn(Options& options, std::string_view value) {
+    add_severity(options, value, Severity::warning);
+}
+
+void set_allow(Options& options, std::string_view value) {
+    add_severity(options, value, Severity::allow);
+}
+
+void set_deny(Options& options, std::string_view value) {
+    add_severity(options, value, Severity::error);
+}
+
+// ---- options
+// -------------------------------------------------------------------------------------
+
+constexpr OptionRow encoding_row = {
+    "--encoding", "NAME", "how the input is encoded: utf-8 (default), iso-8859-1, windows-1252",
+    set_encoding};
+constexpr OptionRow nesting_row = {
+    "--max-nesting", "N", "examine what is nested up to N levels deep (1 to 1000, default 256)",
+    set_nesting};
+constexpr OptionRow text_or_json_row = {"--format", "text|json", "how to print (default: text)",
+                                        set_text_or_json};
+
+constexpr std::array check_options = {
+    text_or_json_row,
+    OptionRow{"--strict", "", "refuse extensions and reliance on implementation-dependent features",
+              set_strict},
+    OptionRow{"--warn", "X", "report X as a warning: a code, a name or a class", set_warn},
+    OptionRow{"--allow", "X", "do not report X", set_allow},
+    OptionRow{"--deny", "X", "report X as an error", set_deny},
+    OptionRow{"--max-findings", "N",
+              "print at most N findings a file as text (default 1000, 0: all)", set_findings},
+    encoding_row,
+    nesting_row,
+    OptionRow{"--jobs", "N", "read N files at a time (default: one a processor)", set_jobs},
+    OptionRow{"--color", "WHEN", "auto (default), always or never; NO_COLOR is honoured",
+              set_colour},
+};
+constexpr std::array tokens_options = {text_or_json_row, encoding_row};
+constexpr std::array ast_options = {
+    OptionRow{"--format", "tree|json", "how to print (default: tree)", set_tree_or_json},
+    encoding_row,
+    nesting_row,
+};
+constexpr std::array explain_options = {
+    OptionRow{"--list", "", "list every code with its name and message", set_list},
+};
+
+// ---- commands
+// ------------------------------------------------------------------------------------
+
+constexpr std::string_view inputs = "FILE-or-FOLDER...";
+
+constexpr std::string_view check_details =
+    R"(Reads every file, prints what is found in it, and says which of the three
+determinations of IEC 61131-3:2003, 1.5.1 was reached: no violations,
+violations, or none found but the examination is incomplete.
+
+A folder stands for every *.st, *.il, *.sfc, *.iec and *.pou in it and below it,
+`-` for standard input, `@file` for the arguments in that file, one a line.
+
+--warn, --allow and --deny take a code (IEC2001), a name (missing-semicolon) or
+one of the classes violation, error, extension, implementation-dependent, limit;
+they can be repeated, the last one counts, and one for a code or name wins over
+one for a class.
+
+exit status:
+  0  nothing found, or warnings only
+  1  violations were found
+  2  wrong usage, or an input could not be read
+  3  nothing found, but something in the input was not examined: it is beyond a
+     limit, or in a language that this version does not read
+)";
+
+constexpr std::string_view tokens_details =
+    R"(Prints `line:column kind "text"` for each token, comment and pragma, in the order
+of the source; with --format json one object for each file. What is wrong with
+the text is left to `iecfront check`.
+
+A folder stands for every *.st, *.il, *.sfc, *.iec and *.pou in it and below it,
+`-` for standard input, `@file` for the arguments in that file, one a line.
+
+exit status: 0, or 2 for wrong usage or an input that could not be read
+)";
+
+constexpr std::string_view ast_details =
+    R"(Prints the syntax tree of each file, with --format json as one object for each.
+There is a tree for every text; what is wrong with it is left to `iecfront check`.
+
+A folder stands for every *.st, *.il, *.sfc, *.iec and *.pou in it and below it,
+`-` for standard input, `@file` for the arguments in that file, one a line.
+
+exit status: 0, or 2 for wrong usage or an input that could not be read
+)";
+
+constexpr std::string_view explain_details =
+    R"(CODE is a code (IEC2001) or a name (missing-semicolon), in any case.
+
+exit status: 0, or 2 when there is no such diagnostic
+)";
+
+constexpr std::array command_table = {
+    Command{"check", inputs, "report what is wrong with source texts", check_details, check_options,
+            run_check},
+    Command{"tokens", inputs, "print the tokens of source texts", tokens_details, tokens_options,
+            run_tokens},
+    Command{"ast", inputs, "print the syntax trees of source texts", ast_details, ast_options,
+            run_ast},
+    Command{"explain", "CODE...", "explain diagnostics", explain_details, explain_options,
+            run_explain},
+};
+
+} // namespace
+
+std::span<const Command> commands() noexcept {
+    return command_table;
+}
+
+} // namespace iecfront::cli

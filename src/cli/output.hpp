@@ -1,0 +1,23 @@
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+namespace iecfront::cli {
+
+/// Standard output took no more: its device is full, or nobody reads it any longer.
+class OutputError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Writes to standard output; throws `OutputError` when that fails.
+void print(std::string_view text);
+
+/// Lets everything printed reach its place; throws `OutputError` when that fails.
+void flush_output();
+
+/// Writes the line `iecfront: <text>` to standard error, behind what was printed before it.
+void complain(std::string_view text);
+
+} // namespace iecfront::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+/// The few things that standard C++ leaves to the system.
+namespace iecfront::cli {
+
+/// Makes standard input and output pass bytes as they are, and lets writing to a closed pipe fail
+/// as any other write instead of ending the program.
+void prepare_standard_streams();
+
+/// True when somebody looks at `stream`.
+[[nodiscard]] bool is_terminal(std::FILE* stream);
+
+/// Opens a file for reading bytes; null, and the reason in `errno`, when that fails.
+[[nodiscard]] std::FILE* open_for_reading(const std::filesystem::path& path);
+
+/// The system's words for an error number (`errno`).
+[[nodiscard]] std::string system_message(int error);
+
+/// Bytes that move the terminal's cursor or end the line spelled out as `\x1B`, so that a file name
+/// stays on one line.
+[[nodiscard]] std::string on_one_line(std::string text);
+
+} // namespace iecfront::cli

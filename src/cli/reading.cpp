@@ -1,0 +1,24 @@
+#include "cli/reading.hpp"
+
+#include "cli/output.hpp"
+#include "cli/platform.hpp"
+
+namespace iecfront::cli {
+
+Status read_each(std::span<const Input> inputs, const Options& options,
+                 const std::function<void(const SourceText&)>& use) {
+    Status status = Status::nothing_found;
+    for (const Input& input : inputs) {
+        const ReadText text = read_input(input, options.encoding);
+        if (text.problem.empty() && !text.too_large) {
+            use(text.source);
+            continue;
+        }
+        complain(on_one_line(input.name) + ": " +
+                 (text.too_large ? "larger than 4 GiB minus 1" : text.problem));
+        status = Status::unusable;
+    }
+    return status;
+}
+
+} // namespace iecfront::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "cli/commands.hpp"
+#include "cli/input.hpp"
+
+#include <functional>
+#include <span>
+
+namespace iecfront::cli {
+
+/// Reads the inputs one after another and gives each to `use`. What cannot be read is complained
+/// of, and the rest is read all the same.
+[[nodiscard]] Status read_each(std::span<const Input> inputs, const Options& options,
+                               const std::function<void(const SourceText&)>& use);
+
+} // namespace iecfront::cli
