@@ -1,6 +1,7 @@
 #include "lexer/literal_reader.hpp"
 
-#include <algorithm>
+#include "lexer/keywords.hpp"
+
 #include <limits>
 
 namespace iecfront::literals {
@@ -50,18 +51,24 @@ bool exponent_begins(std::string_view rest) noexcept {
 }
 
 bool holds_white_space(std::string_view text) noexcept {
-    const std::string_view before_quotes = text.substr(0, text.find_first_of("'\""));
-    return std::any_of(before_quotes.begin(), before_quotes.end(), is_white_space);
+    for (const char c : text) {
+        if (c == '\'' || c == '"')
+            return false;
+        if (is_white_space(c))
+            return true;
+    }
+    return false;
 }
 
 Magnitude magnitude_of(std::string_view digits, unsigned base) noexcept {
     constexpr std::uint64_t highest = std::numeric_limits<std::uint64_t>::max();
+    constexpr std::uint64_t surely_fits = highest / 64; // no base is larger, nor is a digit
     Magnitude magnitude;
     for (const char c : digits) {
         const unsigned digit = digit_value(c);
         if (digit >= base)
             continue;
-        if (magnitude.value > (highest - digit) / base)
+        if (magnitude.value > surely_fits && magnitude.value > (highest - digit) / base)
             return {highest, true};
         magnitude.value = magnitude.value * base + digit;
     }
@@ -86,10 +93,6 @@ DiagnosticFix removal(TextRange range) {
 
 DiagnosticFix replacement(TextRange range, std::string_view text) {
     return {{TextEdit{range, std::string(text)}}};
-}
-
-bool is_one_of(std::string_view name, const PrefixNames& names) noexcept {
-    return names_equal(name, names[0]) || names_equal(name, names[1]);
 }
 
 void LiteralFaults::report(DiagnosticId id, TextRange range,
@@ -120,11 +123,11 @@ bool LiteralReader::accept(char c) noexcept {
     return true;
 }
 
-bool LiteralReader::accept_prefix(const PrefixNames& names) noexcept {
-    const std::size_t sign = text_.find('#');
-    if (sign == std::string_view::npos || !is_one_of(text_.substr(0, sign), names))
+bool LiteralReader::accept_prefix(TokenKind type, std::optional<TokenKind> long_type) noexcept {
+    const TypePrefix prefix = type_prefix_of(text_);
+    if (!prefix.type || (prefix.type != type && prefix.type != long_type))
         return false;
-    at_ = static_cast<std::uint32_t>(sign + 1);
+    at_ = prefix.end;
     return true;
 }
 
@@ -181,19 +184,19 @@ std::uint32_t LiteralReader::underscores_end(std::uint32_t at) const noexcept {
 }
 
 TypePrefix type_prefix_of(std::string_view text) noexcept {
-    const std::size_t sign = text.find('#');
-    if (sign == std::string_view::npos || sign == 0 || is_digit(text.front()))
+    if (text.empty() || is_digit(text.front()))
         return {};
-    TypePrefix prefix;
-    prefix.name = text.substr(0, sign);
-    prefix.end = static_cast<std::uint32_t>(sign + 1);
-    for (const PrefixNames& names :
-         {duration_prefixes, date_prefixes, time_of_day_prefixes, date_and_time_prefixes})
-        prefix.time_literal = prefix.time_literal || is_one_of(prefix.name, names);
-    for (auto kind = static_cast<unsigned>(TokenKind::kw_bool);
-         is_elementary_type_name(static_cast<TokenKind>(kind)); ++kind)
-        if (names_equal(prefix.name, spelling(static_cast<TokenKind>(kind))))
-            prefix.type = static_cast<TokenKind>(kind);
+    const std::size_t sign = text.find('#');
+    if (sign == std::string_view::npos || sign == 0)
+        return {};
+    const std::string_view name = text.substr(0, sign);
+    TypePrefix prefix{name, std::nullopt, static_cast<std::uint32_t>(sign + 1)};
+    if (const TokenKind kind = keyword_kind(name); is_elementary_type_name(kind))
+        prefix.type = kind;
+    else if (name.size() == 1 && fold(name.front()) == 'T')
+        prefix.type = TokenKind::kw_time;
+    else if (name.size() == 1 && fold(name.front()) == 'D')
+        prefix.type = TokenKind::kw_date;
     return prefix;
 }
 

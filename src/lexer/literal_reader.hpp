@@ -8,7 +8,6 @@
 #include <iecfront/source/encoding.hpp>
 #include <iecfront/source/text_range.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -93,14 +92,18 @@ extern const DigitRules decimal_digits; // integer (B.1.2.1)
 extern const DigitRules based_digits;   // any letter and digit: the wrong ones are sorted out later
 extern const DigitRules duration_digits; // before a unit
 
-// The two spellings of a prefix (Tables 7 and 8).
-using PrefixNames = std::array<std::string_view, 2>;
-inline constexpr PrefixNames duration_prefixes = {"T", "TIME"};
-inline constexpr PrefixNames date_prefixes = {"D", "DATE"};
-inline constexpr PrefixNames time_of_day_prefixes = {"TOD", "TIME_OF_DAY"};
-inline constexpr PrefixNames date_and_time_prefixes = {"DT", "DATE_AND_TIME"};
+// What stands before the first `#`.
+struct TypePrefix {
+    std::string_view name; // empty when there is none
+    // Of an elementary type, also `T` and `D`; nothing for the name of a derived type.
+    std::optional<TokenKind> type;
+    std::uint32_t end = 0; // behind the `#`
 
-[[nodiscard]] bool is_one_of(std::string_view name, const PrefixNames& names) noexcept;
+    [[nodiscard]] bool of_time_literal() const noexcept {
+        return type && *type >= TokenKind::kw_time && *type <= TokenKind::kw_dt;
+    }
+};
+[[nodiscard]] TypePrefix type_prefix_of(std::string_view text) noexcept;
 
 // Walks over the text of one literal.
 class LiteralReader {
@@ -130,8 +133,8 @@ public:
 
     void move_to(std::uint32_t at) noexcept { at_ = at; }
     bool accept(char c) noexcept;
-    // Moves behind `name#` when the text begins with one of the names, in any case.
-    bool accept_prefix(const PrefixNames& names) noexcept;
+    // Moves behind the prefix of a time literal: of either type, or of the first one.
+    bool accept_prefix(TokenKind type, std::optional<TokenKind> long_type = {}) noexcept;
     TextRange letters() noexcept;
     TextRange underscores() noexcept;
     // digit { [ "_" ] digit }, from the first digit to behind the last; empty when there is none.
@@ -150,14 +153,5 @@ private:
     LiteralFaults* faults_;
     std::uint32_t at_ = 0;
 };
-
-// The type name before the first `#`.
-struct TypePrefix {
-    std::string_view name;         // empty when there is none
-    std::optional<TokenKind> type; // nothing for the name of a derived type
-    bool time_literal = false;     // `T`, `TOD` ...: no number or string can follow
-    std::uint32_t end = 0;         // behind the `#`
-};
-[[nodiscard]] TypePrefix type_prefix_of(std::string_view text) noexcept;
 
 } // namespace iecfront::literals

@@ -26,17 +26,19 @@ bool begins_with_quote(std::string_view text) noexcept {
     return !text.empty() && (text.front() == '\'' || text.front() == '"');
 }
 
+// The type names before `#` that literals of other kinds of tokens begin with, too.
 void check_typed(std::string_view text, Encoding encoding, LiteralFaults& faults) {
-    LiteralReader reader(text, encoding, faults);
-    if (reader.accept_prefix(duration_prefixes))
-        scan_duration(text, encoding, faults);
-    else if (reader.accept_prefix(date_prefixes))
-        scan_date(text, encoding, faults);
-    else if (reader.accept_prefix(time_of_day_prefixes))
-        scan_time_of_day(text, encoding, faults);
-    else if (reader.accept_prefix(date_and_time_prefixes))
-        scan_date_and_time(text, encoding, faults);
-    else if (begins_with_quote(text.substr(type_prefix_of(text).end)))
+    const TypePrefix prefix = type_prefix_of(text);
+    switch (prefix.type.value_or(TokenKind::identifier)) {
+    case TokenKind::kw_time: scan_duration(text, encoding, faults); return;
+    case TokenKind::kw_date: scan_date(text, encoding, faults); return;
+    case TokenKind::kw_tod:
+    case TokenKind::kw_time_of_day: scan_time_of_day(text, encoding, faults); return;
+    case TokenKind::kw_dt:
+    case TokenKind::kw_date_and_time: scan_date_and_time(text, encoding, faults); return;
+    default: break;
+    }
+    if (begins_with_quote(text.substr(prefix.end)))
         scan_string(text, encoding, faults, nullptr);
     else
         static_cast<void>(scan_number(text, encoding, faults));
@@ -96,6 +98,7 @@ std::vector<Diagnostic> check_literal(TokenKind kind, std::string_view text, Enc
     std::vector<Diagnostic> list;
     LiteralFaults faults(list);
     check(kind, text, encoding, faults);
+    // Some are known only when what stands behind them has been read.
     std::stable_sort(list.begin(), list.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return a.range.begin < b.range.begin;
     });

@@ -77,14 +77,15 @@ bool is_boolean_word(std::string_view text) noexcept {
 Shape shape_of(std::string_view text) noexcept {
     if (text.empty())
         return Shape::nothing;
-    if (is_boolean_word(text))
-        return Shape::boolean;
-    const std::size_t behind = text.find_first_not_of("_0123456789");
-    const std::string_view rest = behind == std::string_view::npos ? "" : text.substr(behind);
+    std::size_t behind = 0;
+    bool digits = false;
+    for (; behind < text.size() && (is_digit(text[behind]) || text[behind] == '_'); ++behind)
+        digits = digits || text[behind] != '_';
+    const std::string_view rest = text.substr(behind);
     if (!rest.empty() && rest.front() == '.')
         return Shape::real;
-    if (text.find_first_of("0123456789") >= behind)
-        return Shape::other;
+    if (!digits)
+        return is_boolean_word(text) ? Shape::boolean : Shape::other;
     if (!rest.empty() && rest.front() == '#')
         return Shape::based;
     return exponent_begins(rest) ? Shape::real : Shape::integer;
@@ -94,8 +95,8 @@ Shape shape_of(std::string_view text) noexcept {
 
 class NumberScanner {
 public:
-    explicit NumberScanner(LiteralReader& reader) noexcept
-        : reader_(reader), prefix_(type_prefix_of(reader.text())) {}
+    NumberScanner(LiteralReader& reader, const TypePrefix& prefix) noexcept
+        : reader_(reader), prefix_(prefix) {}
 
     NumericValue scan();
 
@@ -461,12 +462,13 @@ void report_type_mismatch(const LiteralReader& reader, TokenKind type, std::uint
 }
 
 NumericValue scan_number(std::string_view text, Encoding encoding, LiteralFaults& faults) {
-    if (holds_white_space(text) || type_prefix_of(text).time_literal) {
+    const TypePrefix prefix = type_prefix_of(text);
+    if (holds_white_space(text) || prefix.of_time_literal()) {
         faults.reject();
         return {};
     }
     LiteralReader reader(text, encoding, faults);
-    return NumberScanner(reader).scan();
+    return NumberScanner(reader, prefix).scan();
 }
 
 } // namespace iecfront::literals

@@ -57,25 +57,19 @@ TextRange scan_fraction(LiteralReader& reader, const DigitRules& rules) {
 
 struct DurationUnit {
     std::string_view name;
-    std::uint64_t factor; // the unit is this times ten to the power of `power` nanoseconds
+    std::uint64_t nanoseconds; // `factor` times ten to the power of `power`
+    std::uint64_t factor;
     std::size_t power;
     std::uint64_t highest; // unless it comes first
 };
 
 constexpr std::array<DurationUnit, 5> units = {{
-    {"d", 864, 11, std::numeric_limits<std::uint64_t>::max()},
-    {"h", 36, 11, 23},
-    {"m", 6, 10, 59},
-    {"s", 1, 9, 59},
-    {"ms", 1, 6, 999},
+    {"d", 86'400'000'000'000, 864, 11, std::numeric_limits<std::uint64_t>::max()},
+    {"h", 3'600'000'000'000, 36, 11, 23},
+    {"m", 60'000'000'000, 6, 10, 59},
+    {"s", 1'000'000'000, 1, 9, 59},
+    {"ms", 1'000'000, 1, 6, 999},
 }};
-
-constexpr std::uint64_t nanoseconds_in(const DurationUnit& unit) noexcept {
-    std::uint64_t result = unit.factor;
-    for (std::size_t i = 0; i < unit.power; ++i)
-        result *= 10;
-    return result;
-}
 
 class DurationScanner {
 public:
@@ -111,7 +105,7 @@ private:
 };
 
 DurationValue DurationScanner::scan() {
-    if (!reader_.accept_prefix(duration_prefixes) || holds_white_space(reader_.text())) {
+    if (!reader_.accept_prefix(TokenKind::kw_time) || holds_white_space(reader_.text())) {
         reader_.faults().reject();
         return {};
     }
@@ -238,7 +232,9 @@ void DurationScanner::separator() {
 void DurationScanner::add(const DurationUnit& unit) {
     const Magnitude whole = magnitude_of(reader_.view(whole_), 10);
     overflow_ = overflow_ || whole.overflow;
-    add_product(whole.value, nanoseconds_in(unit));
+    add_product(whole.value, unit.nanoseconds);
+    if (fraction_.empty())
+        return;
     const Fraction fraction = scaled_fraction(reader_.view(fraction_), unit.factor, unit.power);
     add_product(fraction.product, 1);
     if (fraction.inexact)
@@ -294,7 +290,7 @@ public:
     CalendarScanner(LiteralReader& reader, std::string_view form) noexcept
         : reader_(reader), form_(form) {}
 
-    [[nodiscard]] bool prefix(const PrefixNames& names) noexcept;
+    [[nodiscard]] bool prefix(TokenKind type, TokenKind long_type) noexcept;
     // False when the form is wrong, and the rest guesswork.
     bool date(DateValue& value);
     bool time_of_day(TimeOfDayValue& value);
@@ -318,8 +314,8 @@ private:
     std::string_view form_;
 };
 
-bool CalendarScanner::prefix(const PrefixNames& names) noexcept {
-    const bool found = reader_.accept_prefix(names) && !holds_white_space(reader_.text());
+bool CalendarScanner::prefix(TokenKind type, TokenKind long_type) noexcept {
+    const bool found = reader_.accept_prefix(type, long_type) && !holds_white_space(reader_.text());
     if (!found)
         reader_.faults().reject();
     return found;
@@ -438,7 +434,7 @@ DateValue scan_date(std::string_view text, Encoding encoding, LiteralFaults& fau
     LiteralReader reader(text, encoding, faults);
     CalendarScanner scanner(reader, "1984-06-25");
     DateValue value;
-    if (scanner.prefix(date_prefixes) && scanner.date(value))
+    if (scanner.prefix(TokenKind::kw_date, TokenKind::kw_date) && scanner.date(value))
         scanner.finish(DiagnosticId::malformed_date);
     return value;
 }
@@ -447,7 +443,7 @@ TimeOfDayValue scan_time_of_day(std::string_view text, Encoding encoding, Litera
     LiteralReader reader(text, encoding, faults);
     CalendarScanner scanner(reader, "15:36:55.36");
     TimeOfDayValue value;
-    if (scanner.prefix(time_of_day_prefixes) && scanner.time_of_day(value))
+    if (scanner.prefix(TokenKind::kw_tod, TokenKind::kw_time_of_day) && scanner.time_of_day(value))
         scanner.finish(DiagnosticId::malformed_time_of_day);
     return value;
 }
@@ -457,7 +453,7 @@ DateAndTimeValue scan_date_and_time(std::string_view text, Encoding encoding,
     LiteralReader reader(text, encoding, faults);
     CalendarScanner scanner(reader, "1984-06-25-15:36:55.36");
     DateAndTimeValue value;
-    if (scanner.prefix(date_and_time_prefixes) && scanner.date(value.date) &&
+    if (scanner.prefix(TokenKind::kw_dt, TokenKind::kw_date_and_time) && scanner.date(value.date) &&
         scanner.accept('-', DiagnosticId::malformed_time_of_day) && scanner.time_of_day(value.time))
         scanner.finish(DiagnosticId::malformed_time_of_day);
     return value;

@@ -12,13 +12,13 @@
 #include <vector>
 
 /// The values of literals (2.2), computed from their spelling when somebody asks. Each function
-/// takes the exact text of one token and gives nothing when it is malformed. Ranges count from the
-/// start of that text.
+/// takes the exact text of one token and gives nothing when it is malformed, or beyond its type
+/// without an `overflow` to tell so (`SINT#200`). Ranges count from the start of that text.
 namespace iecfront {
 
 /// An integer, bit string or Boolean literal: `-12`, `16#FF`, `UINT#5`, `BOOL#TRUE` (B.1.2.1).
 struct IntegerValue {
-    std::optional<TokenKind> type; ///< keyword before `#`: kw_int, kw_byte, kw_bool ...
+    std::optional<TokenKind> type; ///< keyword before `#`: kw_int, kw_byte ...; kw_bool for `TRUE`
     bool negative = false;         ///< only `INT#-5`; the sign of an untyped one is a token before
     std::uint8_t base = 10;        ///< 2, 8, 10 or 16
     bool overflow = false;         ///< above 2^64-1: `magnitude` is then 2^64-1
