@@ -56,9 +56,10 @@ const char* Extents::exponent_end(const char* p) noexcept {
 }
 
 bool Extents::point_begins_fraction(const char* point) noexcept {
-    const char next = point[1];
-    return *point == '.' && (is_digit(next) || (next == '_' && is_digit(point[2])) ||
-                             exponent_end(point + 1) != nullptr);
+    if (*point != '.')
+        return false;
+    return is_digit(point[1]) || (point[1] == '_' && is_digit(point[2])) ||
+           exponent_end(point + 1) != nullptr;
 }
 
 const char* Extents::real_end(const char* point) const noexcept {
