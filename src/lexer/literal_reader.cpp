@@ -184,10 +184,10 @@ std::uint32_t LiteralReader::underscores_end(std::uint32_t at) const noexcept {
 }
 
 TypePrefix type_prefix_of(std::string_view text) noexcept {
-    if (text.empty() || is_digit(text.front()))
+    if (text.empty() || (!is_word_start(text.front()) && is_ascii(text.front())))
         return {};
     const std::size_t sign = text.find('#');
-    if (sign == std::string_view::npos || sign == 0)
+    if (sign == std::string_view::npos)
         return {};
     const std::string_view name = text.substr(0, sign);
     TypePrefix prefix{name, std::nullopt, static_cast<std::uint32_t>(sign + 1)};

@@ -70,7 +70,8 @@ TEST(StringLiterals, TakeTheCombinationsOfTable6) {
     expect_string("\"$0000$FFFF$D800$00414\"", {0, 0xFFFF, 0xD800, 0x41, '4'}, true);
 }
 
-TEST(StringLiterals, TakeCommentAndPragmaMarksAsCharacters) {
+TEST(StringLiterals, TakeMarksOfOtherThingsAsCharacters) {
+    expect_string("'#'", {'#'}, false);
     expect_string("'(*{}*)//'", {'(', '*', '{', '}', '*', ')', '/', '/'}, false);
 }
 
