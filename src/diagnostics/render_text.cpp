@@ -261,4 +261,13 @@ void render_text(std::string& out, const Diagnostic& diagnostic, Severity severi
         TextWriter(out, source, lines, style).write(diagnostic, severity);
 }
 
+std::string render_text(std::span<const Diagnostic> diagnostics, const SourceText& source,
+                        const SeverityPolicy& policy, const TextStyle& style) {
+    std::string out;
+    const LineTable lines(source.bytes());
+    for (const Diagnostic& diagnostic : diagnostics)
+        render_text(out, diagnostic, policy.severity(diagnostic.id), source, lines, style);
+    return out;
+}
+
 } // namespace iecfront

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <string>
+#include <vector>
 
 using namespace iecfront;
 
@@ -169,6 +170,20 @@ TEST(Snippet, TabsBeforeALongLineDoNotHideTheRange) {
     const std::string line = std::string(200, '\t') + "x";
     EXPECT_EQ(snippet(line, {200, 201}),
               "..." + std::string(40, ' ') + "x\n" + std::string(43, ' ') + "^\n");
+}
+
+TEST(RenderTextOfAll, GivesEachItsSeverity) {
+    const SourceText source("x\ny\n", "a.st");
+    const std::vector<Diagnostic> found = {missing_semicolon({1, 1}), missing_semicolon({3, 3})};
+    SeverityPolicy policy;
+    policy.set(DiagnosticId::missing_semicolon, Severity::warning);
+    const TextStyle no_snippet{false, false};
+    const std::string text = render_text(found, source, policy, no_snippet);
+    EXPECT_TRUE(text.starts_with("a.st:1:2: warning IEC")) << text;
+    EXPECT_NE(text.find("\na.st:2:2: warning IEC"), std::string::npos) << text;
+    policy.set(DiagnosticId::missing_semicolon, Severity::allow);
+    EXPECT_EQ(render_text(found, source, policy, no_snippet), "");
+    EXPECT_EQ(render_text({}, source), "");
 }
 
 } // namespace

@@ -35,6 +35,11 @@ public:
         std::uint32_t offset = 0;     ///< of the unit's first byte, from the start of the file
         std::uint32_t first_line = 0; ///< 0-based line that holds that byte
         std::shared_ptr<const Unit> unit;
+
+        /// What `Unit::range` gives, counted from the start of the file.
+        [[nodiscard]] TextRange range(const ast::Node& node) const noexcept {
+            return unit->range(node).shifted(offset);
+        }
     };
 
     /// Puts units in a row; `parse` and `edited` do that. There is at least one unit, and all have

@@ -6,6 +6,7 @@
 #include <iecfront/source/line_table.hpp>
 #include <iecfront/source/source_text.hpp>
 
+#include <span>
 #include <string>
 
 namespace iecfront {
@@ -22,5 +23,11 @@ struct TextStyle {
 IECFRONT_API void render_text(std::string& out, const Diagnostic& diagnostic, Severity severity,
                               const SourceText& source, const LineTable& lines,
                               const TextStyle& style = {});
+
+/// All of `diagnostics`, one below the other, each with the severity that `policy` gives it.
+[[nodiscard]] IECFRONT_API std::string render_text(std::span<const Diagnostic> diagnostics,
+                                                   const SourceText& source,
+                                                   const SeverityPolicy& policy = {},
+                                                   const TextStyle& style = {});
 
 } // namespace iecfront

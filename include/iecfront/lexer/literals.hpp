@@ -84,6 +84,7 @@ struct DirectVariableValue {
     std::vector<std::uint64_t> hierarchy; ///< the numbers, highest level first (V-3)
 };
 
+/// The value of a literal of each class; nothing when the text is none of the class, or malformed.
 [[nodiscard]] IECFRONT_API std::optional<IntegerValue> integer_value(std::string_view text);
 [[nodiscard]] IECFRONT_API std::optional<RealValue> real_value(std::string_view text);
 [[nodiscard]] IECFRONT_API std::optional<DurationValue> duration_value(std::string_view text);

@@ -20,6 +20,7 @@ enum class TokenKind : std::uint8_t {
 /// Number of token kinds.
 inline constexpr std::size_t token_kind_count = static_cast<std::size_t>(TokenKind::unknown) + 1;
 
+/// Classes of kinds, as in `tokens.def`.
 [[nodiscard]] constexpr bool is_keyword(TokenKind kind) noexcept {
     return kind <= TokenKind::kw_eno;
 }

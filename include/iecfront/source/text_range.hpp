@@ -1,7 +1,11 @@
 #pragma once
 
+#include <iecfront/export.hpp>
+
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace iecfront {
 
@@ -36,5 +40,11 @@ struct TextEdit {
 
     friend bool operator==(const TextEdit&, const TextEdit&) = default;
 };
+
+/// `text` with all of `edits` made, whose ranges all refer to `text` as it is given. They are
+/// ordered by position; one that overlaps the one before it, or reaches beyond the text, is left
+/// out.
+[[nodiscard]] IECFRONT_API std::string apply_edits(std::string_view text,
+                                                   std::span<const TextEdit> edits);
 
 } // namespace iecfront
