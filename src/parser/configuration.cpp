@@ -57,8 +57,7 @@ const ast::ConfigurationDeclaration* Parser::parse_configuration_declaration() {
     place_ = Place::configuration;
     open_block(TokenKind::kw_end_configuration, advance());
     node->name = parse_declared_name("the name of a configuration");
-    if (at(TokenKind::semicolon))
-        accept_extra_semicolon("the head of a declaration");
+    accept_extra_semicolon();
     node->elements = parse_configuration_elements(place_);
     check_configuration_order(node->elements, node->first_token, place_);
     close_block("");
@@ -75,13 +74,12 @@ const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
     node->name = parse_declared_name("the name of a resource");
     expect(TokenKind::kw_on);
     node->type = parse_name("the name of a resource type");
-    if (at(TokenKind::semicolon))
-        accept_extra_semicolon("the head of a resource");
+    accept_extra_semicolon();
     node->elements = parse_configuration_elements(Place::resource);
     check_configuration_order(node->elements, node->first_token, Place::resource);
     close_block("");
     finish(node);
-    accept_extra_semicolon("END_RESOURCE");
+    accept_extra_semicolon();
     return node;
 }
 
@@ -100,7 +98,7 @@ ast::List<ast::Node> Parser::parse_configuration_elements(Place place) {
 }
 
 const ast::Node* Parser::parse_configuration_element(Place place) {
-    if (at(block_openers))
+    if (at(block_openers) || at_declarations_without_opener())
         return parse_variable_declarations(place);
     switch (kind()) {
     case TokenKind::kw_resource: return parse_resource_declaration();

@@ -125,7 +125,11 @@ Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
 }
 
 Parser::Report Parser::report_unexpected(std::string what) {
-    return report_at(at_, DiagnosticId::unexpected_token, {std::move(what), describe(at_)});
+    Report unexpected =
+        report_at(at_, DiagnosticId::unexpected_token, {std::move(what), describe(at_)});
+    if (at(TokenKind::right_parenthesis) || at(TokenKind::right_bracket))
+        unexpected.remove(token().range());
+    return unexpected;
 }
 
 std::uint32_t Parser::previous_end() const noexcept {
@@ -183,7 +187,8 @@ const ast::Identifier* Parser::parse_declared_name(std::string what) {
                                          TokenKind::kw_on,
                                          TokenKind::kw_with,
                                          TokenKind::right_parenthesis};
-    if (is_keyword(kind()) && (after_name.contains(peek()) || tokens_[next(at_)].first_on_line())) {
+    const bool alone = at_operand_keyword() && tokens_[next(at_)].first_on_line();
+    if (is_keyword(kind()) && (after_name.contains(peek()) || alone)) {
         report_reserved_word(at_);
         return make_identifier();
     }

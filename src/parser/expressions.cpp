@@ -181,7 +181,7 @@ const ast::Expression* Parser::parse_unary() {
 //                    | function_name "(" param_assignment { "," param_assignment } ")" ;
 const ast::Expression* Parser::parse_primary() {
     switch (kind()) {
-    case TokenKind::identifier: return parse_variable();
+    case TokenKind::identifier: return check_function_call(parse_variable());
     case TokenKind::left_parenthesis: return parse_parenthesized();
     case TokenKind::enumerated_value: return parse_enumerated_value();
     case TokenKind::direct_variable: return parse_direct_variable();
@@ -194,10 +194,18 @@ const ast::Expression* Parser::parse_primary() {
     if (at_literal())
         return parse_constant();
     if (at(operator_functions) && peek() == TokenKind::left_parenthesis)
-        return parse_operator_call();
+        return check_function_call(parse_operator_call());
     if (at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())))
         return parse_variable();
     return parse_missing_expression();
+}
+
+/// The call of a function has at least one argument.
+const ast::Expression* Parser::check_function_call(const ast::Expression* operand) {
+    const auto* call = ast::as<ast::FunctionCall>(operand);
+    if (call != nullptr && call->arguments.empty())
+        report_node(*call, DiagnosticId::function_without_arguments);
+    return operand;
 }
 
 const ast::Expression* Parser::parse_missing_expression() {
@@ -283,9 +291,11 @@ const ast::Expression* Parser::parse_subscripts(const ast::Expression* head) {
     auto* node = make_from<ast::ArrayVariable>(head);
     advance();
     ListBuilder<ast::Expression> subscripts(*this);
+    const bool outer = std::exchange(in_condition_, false);
     do
-        subscripts.add(parse_condition());
-    while (accept(TokenKind::comma));
+        subscripts.add(parse_expression());
+    while (accept(TokenKind::comma) || accept_missing_comma());
+    in_condition_ = outer;
     expect(TokenKind::right_bracket);
     node->subscripted_variable = head;
     node->subscripts = subscripts.finish();
@@ -319,6 +329,7 @@ const ast::Expression* Parser::parse_call(const ast::Expression* callee) {
 // "(" [ param_assignment { "," param_assignment } ] ")"
 ast::List<ast::Node> Parser::parse_arguments() {
     const bool outer = std::exchange(in_condition_, false);
+    const std::size_t reports = diagnostics_.size();
     advance();
     ListBuilder<ast::Node> arguments(*this);
     if (!at(TokenKind::right_parenthesis)) {
@@ -334,7 +345,8 @@ ast::List<ast::Node> Parser::parse_arguments() {
     expect(TokenKind::right_parenthesis);
     in_condition_ = outer;
     const ast::List<ast::Node> list = arguments.finish();
-    check_arguments(list);
+    if (diagnostics_.size() == reports)
+        check_arguments(list);
     return list;
 }
 

@@ -25,7 +25,7 @@ const ast::LibraryUnit* Parser::parse_library_unit() {
     skip_stray_text(elements);
     if (!at_end()) {
         elements.add(parse_library_element());
-        accept_extra_semicolon(std::string(end_ > 0 ? text(end_ - 1) : std::string_view{}));
+        accept_extra_semicolon();
         skip_stray_text(elements);
     }
     unit->elements = elements.finish();
@@ -68,26 +68,37 @@ TokenKind Parser::library_element_opener() const noexcept {
 void Parser::skip_stray_text(ListBuilder<ast::Node>& elements) {
     if (at_end() || at(openers))
         return;
-    if (const TokenKind opener = library_element_opener(); opener != TokenKind::end_of_unit) {
-        const std::string meant(spelling(opener));
+    if (library_element_opener() == TokenKind::end_of_unit) {
+        auto* skipped = make<ast::SkippedText>();
+        report_at(at_, DiagnosticId::expected_library_element, {describe(at_)});
+        while (!at_end() && library_element_opener() == TokenKind::end_of_unit)
+            advance();
+        elements.add(finish(skipped));
+    }
+    if (!at_end() && !at(openers)) {
+        const std::string meant(spelling(library_element_opener()));
         report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
             .replace(token().range(), meant);
-        return;
     }
-    auto* skipped = make<ast::SkippedText>();
-    const std::uint32_t first = at_;
-    while (!at_end() && library_element_opener() == TokenKind::end_of_unit)
-        advance();
-    elements.add(finish(skipped));
-    report_at(first, DiagnosticId::expected_library_element, {describe(first)});
 }
 
-/// Some dialects have a `;` behind closing words.
-void Parser::accept_extra_semicolon(std::string after) {
-    while (at(TokenKind::semicolon)) {
-        report_at(at_, DiagnosticId::extra_semicolon, {after}).remove(token().range());
-        advance();
+/// Some dialects have a `;` behind closing words and heads of declarations.
+void Parser::accept_extra_semicolon() {
+    if (!at(TokenKind::semicolon))
+        return;
+    const std::uint32_t first = at_;
+    const std::string after(end_ > 0 ? text(end_ - 1) : std::string_view{});
+    while (accept(TokenKind::semicolon)) {
     }
+    report_at(first, DiagnosticId::extra_semicolon, {after}).remove(token_range(first, end_));
+}
+
+/// Before a body, a `;` that no declaration follows is the first statement of the body.
+void Parser::accept_extra_semicolon_before_body() {
+    static constexpr TokenSet block_openers =
+        TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
+    if (block_openers.contains(peek()))
+        accept_extra_semicolon();
 }
 
 } // namespace iecfront

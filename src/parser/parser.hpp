@@ -253,6 +253,8 @@ private:
     const ast::TypeSpecification* parse_subrange_specification(const ast::TypeSpecification* base);
     const ast::Subrange* parse_subrange();
     const ast::TypeSpecification* parse_enumerated_specification();
+    ast::List<ast::EnumeratedValueDeclaration> parse_enumerated_value_list();
+    const ast::TypeSpecification* parse_enumeration_of(const ast::TypeSpecification* base);
     const ast::EnumeratedValueDeclaration* parse_enumerated_value_declaration();
     const ast::TypeSpecification* parse_array_specification();
     const ast::TypeSpecification* parse_structure_declaration();
@@ -269,6 +271,7 @@ private:
     enum class Place { function, function_block, program, configuration, resource, library };
     const ast::VariableDeclarations* parse_variable_declarations(Place place);
     [[nodiscard]] bool at_end_of_declarations();
+    [[nodiscard]] bool at_declarations_without_opener();
     void check_block(const ast::VariableDeclarations& block, Place place);
     ast::BlockQualifier parse_block_qualifiers();
     void check_qualifier(const ast::VariableDeclarations& block, Place place);
@@ -342,6 +345,7 @@ private:
     void check_arguments(const ast::List<ast::Node>& arguments);
     const ast::Expression* parse_missing_expression();
     const ast::Expression* parse_too_deep_expression();
+    const ast::Expression* check_function_call(const ast::Expression* operand);
     const ast::Identifier* parse_argument_name();
     const ast::Expression* parse_output_variable();
     [[nodiscard]] bool formal_list_follows() const noexcept;
@@ -362,6 +366,7 @@ private:
     const ast::ErrorStatement* expect_semicolon_of_statement(const ast::Statement& statement);
     const ast::Statement* parse_simple_statement();
     void expect_assign();
+    [[nodiscard]] static bool is_variable(const ast::Expression& expression) noexcept;
     const ast::Statement* parse_assignment(const ast::Expression* variable);
     const ast::Statement* finish_expression_statement(const ast::Expression* expression);
     const ast::Statement* parse_if_statement();
@@ -387,7 +392,8 @@ private:
     void skip_stray_text(ListBuilder<ast::Node>& elements);
     [[nodiscard]] TokenKind library_element_opener() const noexcept;
     [[nodiscard]] bool at_library_element_closer() const noexcept;
-    void accept_extra_semicolon(std::string after);
+    void accept_extra_semicolon();
+    void accept_extra_semicolon_before_body();
 
     std::string_view text_;
     const Token* tokens_;   // the last one is end_of_unit

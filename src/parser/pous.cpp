@@ -53,7 +53,7 @@ const ast::TypeSpecification* Parser::parse_result_type() {
 /// Whatever stands between the head of a program organization unit and its next line.
 void Parser::skip_rest_of_head() {
     if (at(TokenKind::semicolon)) {
-        accept_extra_semicolon("the head of a declaration");
+        accept_extra_semicolon_before_body();
         return;
     }
     if (token().first_on_line() || at(block_openers) || at(library_element_closers) ||
@@ -101,7 +101,7 @@ const ast::ProgramDeclaration* Parser::parse_program_declaration() {
 ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place place) {
     ListBuilder<ast::VariableDeclarations> blocks(*this);
     for (;;) {
-        if (at(block_openers)) {
+        if (at(block_openers) || at_declarations_without_opener()) {
             blocks.add(parse_variable_declarations(place));
         } else if (at(TokenKind::kw_end_var)) {
             // The block has ended already, or its opening word is missing.

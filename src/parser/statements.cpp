@@ -80,6 +80,10 @@ bool Parser::at_end_of_statements() {
     }
     if (innermost == TokenKind::kw_end_case && at_case_label())
         return true;
+    // A label inside another statement: that statement is not closed.
+    if (token().first_on_line() && is_open(TokenKind::kw_end_case) && at_case_label() &&
+        unclosed(innermost) > 0)
+        return true;
     return at_misspelt_closer() && unclosed(innermost) > 0;
 }
 
@@ -102,7 +106,11 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
     const bool assumed = std::exchange(closer_assumed_, false);
     if (accept(TokenKind::semicolon) || assumed || statement.kind == ast::NodeKind::error_statement)
         return nullptr;
-    const bool missing = token().first_on_line() || at_statement_start() || at(part_words) ||
+    // On the same line a name begins a statement only when an assignment follows: an operator may
+    // just as well be missing.
+    const bool statement_follows =
+        at_statement_start() && (is_keyword(kind()) || peek() == TokenKind::assign);
+    const bool missing = token().first_on_line() || statement_follows || at(part_words) ||
                          at(declaration_words) || at_end_of_statements() || at(statement_closers) ||
                          at(TokenKind::kw_else) || at(TokenKind::kw_elsif) ||
                          at(TokenKind::kw_until);
@@ -189,8 +197,11 @@ const ast::Statement* Parser::parse_word_statement() {
 /// What begins with a variable: an assignment or the invocation of a function block.
 const ast::Statement* Parser::parse_simple_statement() {
     const bool variable = at(TokenKind::identifier) || at_operand_keyword() || used_as_name(kind());
-    if (!variable && !at(TokenKind::direct_variable))
-        return finish_expression_statement(parse_expression());
+    if (!variable && !at(TokenKind::direct_variable)) {
+        const ast::Expression* expression = parse_expression();
+        return at(TokenKind::assign) ? parse_assignment(expression)
+                                     : finish_expression_statement(expression);
+    }
     const std::uint32_t first = at_;
     const ast::Expression* left = variable ? parse_variable() : parse_direct_variable();
     static constexpr TokenSet assigns{TokenKind::assign, TokenKind::equal, TokenKind::colon};
@@ -214,13 +225,25 @@ const ast::Statement* Parser::parse_simple_statement() {
 // assignment_statement = variable ":=" expression ;
 const ast::Statement* Parser::parse_assignment(const ast::Expression* variable) {
     auto* node = make_from<ast::AssignmentStatement>(variable);
-    if (variable->kind == ast::NodeKind::function_call)
+    if (!is_variable(*variable))
         report_node(*variable, DiagnosticId::unexpected_token,
-                    {"a variable before `:=`", "a call"});
+                    {"a variable before `:=`",
+                     ast::is<ast::Constant>(variable->kind) ? "a constant" : "an expression"});
     expect_assign();
     node->variable = variable;
     node->expression = parse_expression();
     return finish(node);
+}
+
+bool Parser::is_variable(const ast::Expression& expression) noexcept {
+    switch (expression.kind) {
+    case ast::NodeKind::variable_name:
+    case ast::NodeKind::array_variable:
+    case ast::NodeKind::structured_variable:
+    case ast::NodeKind::direct_variable:
+    case ast::NodeKind::error_expression: return true;
+    default: return false;
+    }
 }
 
 /// `:=`, or what is written instead of it by mistake.
@@ -366,17 +389,9 @@ const ast::Statement* Parser::parse_case_statement() {
     node->selector = parse_condition();
     expect_word(TokenKind::kw_of);
     ListBuilder<ast::CaseElement> elements(*this);
-    while (at_case_label() || (!at_end_of_statements() && !at(TokenKind::kw_else))) {
-        if (at_case_label()) {
-            elements.add(parse_case_element());
-        } else {
-            report_unexpected("a CASE label");
-            skip_statement();
-            accept(TokenKind::semicolon);
-        }
-    }
-    if (elements.empty())
-        report_unexpected("a CASE label");
+    do
+        elements.add(parse_case_element());
+    while (at_case_label() || !at_end_of_statements());
     if (accept(TokenKind::kw_else))
         node->else_list = parse_statement_list("after ELSE");
     node->elements = elements.finish();
@@ -410,12 +425,17 @@ bool Parser::at_case_label() const noexcept {
 // case_list = case_list_element { "," case_list_element } ;
 const ast::CaseElement* Parser::parse_case_element() {
     auto* element = make<ast::CaseElement>();
-    ListBuilder<ast::Node> labels(*this);
-    do
-        labels.add(parse_case_label());
-    while (accept(TokenKind::comma));
-    element->labels = labels.finish();
-    expect(TokenKind::colon);
+    // A number begins no statement: its `:` is missing.
+    if (at_case_label() || at(TokenKind::integer)) {
+        ListBuilder<ast::Node> labels(*this);
+        do
+            labels.add(parse_case_label());
+        while (accept(TokenKind::comma));
+        element->labels = labels.finish();
+        expect(TokenKind::colon);
+    } else {
+        report_unexpected("a CASE label");
+    }
     element->statements = parse_statement_list("after a CASE label");
     return finish(element);
 }

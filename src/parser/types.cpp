@@ -92,8 +92,7 @@ const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use)
         return parse_type_name();
     }
     report_at(at_, DiagnosticId::missing_type, {describe(at_)});
-    auto* error = make_missing<ast::ErrorType>();
-    return error;
+    return make_missing<ast::ErrorType>();
 }
 
 // derived_type_name = single_element_type_name | array_type_name | structure_type_name
@@ -127,6 +126,11 @@ const ast::TypeSpecification* Parser::parse_elementary_type() {
         return parse_string_specification(node);
     if (!at(TokenKind::left_parenthesis))
         return node;
+    const TokenKind after_name = peek_second();
+    if (peek() == TokenKind::identifier &&
+        (after_name == TokenKind::comma || after_name == TokenKind::assign ||
+         after_name == TokenKind::right_parenthesis))
+        return parse_enumeration_of(node);
     if (!integer_type_names.contains(type))
         report_unexpected("`;`");
     return parse_subrange_specification(node);
@@ -181,17 +185,31 @@ const ast::Subrange* Parser::parse_subrange() {
 //                          | enumerated_type_name ;
 const ast::TypeSpecification* Parser::parse_enumerated_specification() {
     auto* node = make<ast::EnumeratedSpecification>();
+    node->values = parse_enumerated_value_list();
+    if (is_elementary_type_name(kind())) {
+        report(DiagnosticId::enumeration_base_type, token().range());
+        node->base_behind = parse_elementary_type();
+    }
+    return finish(node);
+}
+
+// "(" enumerated_value { "," enumerated_value } ")"
+ast::List<ast::EnumeratedValueDeclaration> Parser::parse_enumerated_value_list() {
     advance();
     ListBuilder<ast::EnumeratedValueDeclaration> values(*this);
     do
         values.add(parse_enumerated_value_declaration());
     while (accept(TokenKind::comma) || accept_missing_comma());
     expect_closing(TokenKind::right_parenthesis);
-    node->values = values.finish();
-    if (integer_type_names.contains(kind()) || is_elementary_type_name(kind())) {
-        report(DiagnosticId::enumeration_base_type, token().range());
-        node->base = parse_elementary_type();
-    }
+    return values.finish();
+}
+
+/// `INT (Red, Green)`: an enumeration with its base type before it, an extension.
+const ast::TypeSpecification* Parser::parse_enumeration_of(const ast::TypeSpecification* base) {
+    auto* node = make_from<ast::EnumeratedSpecification>(base);
+    report_node(*base, DiagnosticId::enumeration_base_type);
+    node->base = base;
+    node->values = parse_enumerated_value_list();
     return finish(node);
 }
 
@@ -219,7 +237,8 @@ const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaratio
 
 /// The closing bracket of a list in which no more element can be read.
 void Parser::expect_closing(TokenKind bracket) {
-    if (!at(bracket) && !at(TokenKind::semicolon) && !token().first_on_line()) {
+    if (!at(bracket) && !at(TokenKind::semicolon) && !is_keyword(kind()) &&
+        !token().first_on_line()) {
         report_unexpected("`,` or `" + std::string(spelling(bracket)) + "`");
         skip_to({bracket, TokenKind::semicolon});
     }
@@ -323,7 +342,8 @@ const ast::Expression* Parser::parse_optional_initial_value() {
 const ast::Expression* Parser::parse_initial_value() {
     if (at(TokenKind::left_bracket))
         return parse_array_initialization();
-    if (at(TokenKind::left_parenthesis) && peek_second() == TokenKind::assign)
+    if (at(TokenKind::left_parenthesis) &&
+        (peek_second() == TokenKind::assign || peek() == TokenKind::assign))
         return parse_structure_initialization();
     static constexpr TokenSet after_value{TokenKind::semicolon, TokenKind::comma,
                                           TokenKind::right_parenthesis, TokenKind::right_bracket};
@@ -409,10 +429,18 @@ const ast::Expression* Parser::parse_structure_initialization() {
     auto* node = make<ast::StructureInitialization>();
     advance();
     ListBuilder<ast::StructureElementInitialization> elements(*this);
+    // A parenthesis behind the comma belongs to the list around this one.
+    const auto next_element = [this] {
+        return !(at(TokenKind::comma) && peek() == TokenKind::left_parenthesis) &&
+               (accept(TokenKind::comma) || accept_missing_comma());
+    };
     do
         elements.add(parse_structure_element_initialization());
-    while (accept(TokenKind::comma) || accept_missing_comma());
-    expect_closing(TokenKind::right_parenthesis);
+    while (next_element());
+    if (at(TokenKind::comma))
+        expect(TokenKind::right_parenthesis);
+    else
+        expect_closing(TokenKind::right_parenthesis);
     node->elements = elements.finish();
     return finish(node);
 }

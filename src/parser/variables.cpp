@@ -27,6 +27,11 @@ VariableBlock block_of(TokenKind opener) noexcept {
                                       static_cast<unsigned>(TokenKind::kw_var));
 }
 
+TokenKind opener_of(const ast::VariableDeclarations& block) noexcept {
+    return static_cast<TokenKind>(static_cast<unsigned>(TokenKind::kw_var) +
+                                  static_cast<unsigned>(block.block));
+}
+
 /// Which blocks each place can have (B.1.5, B.1.7), and which qualifiers (B.1.4.3).
 struct BlockRow {
     bool function, function_block, program, configuration, resource;
@@ -58,6 +63,12 @@ bool Parser::at_end_of_declarations() {
            at_statement_start() && !is_elementary_type_name(peek_second());
 }
 
+/// True at declarations whose opening word is missing: an END_VAR closes nothing otherwise.
+bool Parser::at_declarations_without_opener() {
+    return (at_declaration_start() || (at(TokenKind::identifier) && peek() == TokenKind::comma)) &&
+           peek_second() != TokenKind::equal && unclosed(TokenKind::kw_end_var) < 0;
+}
+
 // ---- blocks -------------------------------------------------------------------------------------
 
 /// input_declarations, output_declarations, input_output_declarations, var_declarations,
@@ -67,11 +78,22 @@ bool Parser::at_end_of_declarations() {
 /// instance_specific_initializations: they differ in their word and in what is checked afterwards.
 const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place) {
     auto* node = make<ast::VariableDeclarations>();
-    node->block = block_of(kind());
-    const std::uint32_t opener = advance();
+    const std::uint32_t opener = at_;
     open_block(TokenKind::kw_end_var, opener);
-    node->qualifier = parse_block_qualifiers();
-    check_block(*node, place);
+    if (at(block_openers)) {
+        node->block = block_of(kind());
+        advance();
+        node->qualifier = parse_block_qualifiers();
+        check_block(*node, place);
+    } else {
+        node->block = place == Place::configuration || place == Place::resource
+                          ? VariableBlock::var_global
+                          : VariableBlock::var;
+        const std::string word(spelling(opener_of(*node)));
+        report_missing(DiagnosticId::missing_token, {"`" + word + "`"})
+            .insert(token().offset(), word + " ");
+        ++unclosed(TokenKind::kw_end_var);
+    }
     ListBuilder<ast::Node> declarations(*this);
     while (!at_end_of_declarations())
         declarations.add(parse_declaration(*node, place));
@@ -81,7 +103,10 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     check_mixed(*node);
     close_block("");
     finish(node);
-    accept_extra_semicolon("END_VAR");
+    if (place == Place::configuration || place == Place::resource || place == Place::library)
+        accept_extra_semicolon();
+    else
+        accept_extra_semicolon_before_body();
     return node;
 }
 

@@ -77,12 +77,14 @@ struct SubrangeSpecification : TypeSpecification {
 struct EnumeratedSpecification : TypeSpecification {
     static constexpr NodeKind node_kind = NodeKind::enumerated_specification;
     EnumeratedSpecification() noexcept : TypeSpecification(node_kind) {}
+    const TypeSpecification* base = nullptr; ///< `INT (A, B)`: an extension; else null
     List<EnumeratedValueDeclaration> values;
-    const TypeSpecification* base = nullptr; ///< `(A, B) INT`: an extension; null when not given
+    const TypeSpecification* base_behind = nullptr; ///< `(A, B) INT`: an extension; else null
 
     static constexpr auto members() {
-        return std::tuple{MemberDescription{"values", &EnumeratedSpecification::values},
-                          MemberDescription{"base", &EnumeratedSpecification::base}};
+        return std::tuple{MemberDescription{"base", &EnumeratedSpecification::base},
+                          MemberDescription{"values", &EnumeratedSpecification::values},
+                          MemberDescription{"base_behind", &EnumeratedSpecification::base_behind}};
     }
 };
 
