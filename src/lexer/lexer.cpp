@@ -47,9 +47,8 @@ public:
           pragma_end_missing_from_(end_),
           encoding_(encoding),
           extents_(text, encoding) {
-        // Published programs have a token in 6 to 8 bytes; reserved memory costs nothing until
-        // used.
-        result_.tokens.reserve(text.size() / 5 + 16);
+        // Published programs have a token in 6 to 8 bytes; the row grows where that is too few.
+        grow_tokens(text.size() / 6 + 16);
         result_.depends_on_rest_from = static_cast<std::uint32_t>(text.size());
     }
 
@@ -112,8 +111,11 @@ private:
     const char* line_end(const char* begin);
 
     void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false) {
-        result_.tokens.emplace_back(kind, offset(begin), static_cast<std::uint32_t>(end - begin),
-                                    std::exchange(first_on_line_, false), malformed);
+        if (next_token_ == tokens_end_) [[unlikely]]
+            grow_tokens(result_.tokens.size() / 2 + 16);
+        *next_token_++ = Token(kind, offset(begin), static_cast<std::uint32_t>(end - begin),
+                               first_on_line_, malformed);
+        first_on_line_ = false;
     }
     // The same for what may be longer than a token can be.
     void emit_any(TokenKind kind, const char* begin, const char* end, bool malformed = false);
@@ -131,6 +133,13 @@ private:
         result_.depends_on_rest_from = std::min(result_.depends_on_rest_from, offset(from));
     }
     Token take_back();
+    // Tokens are written into a row made beforehand, which is cut to its length in the end.
+    void grow_tokens(std::size_t by);
+    void cut_tokens() {
+        result_.tokens.resize(static_cast<std::size_t>(next_token_ - result_.tokens.data()));
+    }
+    [[nodiscard]] bool has_tokens() const noexcept { return next_token_ != result_.tokens.data(); }
+    [[nodiscard]] Token last_token() const noexcept { return next_token_[-1]; }
 
     [[nodiscard]] std::uint32_t offset(const char* p) const noexcept {
         return static_cast<std::uint32_t>(p - begin_);
@@ -155,6 +164,8 @@ private:
     Extents extents_;
     CommentMarks marks_;
     LexedText result_;
+    Token* next_token_ = nullptr;
+    Token* tokens_end_ = nullptr;
 };
 
 LexedText Lexer::run(bool at_file_start) {
@@ -164,7 +175,11 @@ LexedText Lexer::run(bool at_file_start) {
     first_on_line_ = at_file_start;
     for (;;) {
         switch (class_of(*p)) {
-        case CharacterClass::blank: ++p; break;
+        case CharacterClass::blank:
+            do
+                ++p;
+            while (*p == ' ');
+            break;
         case CharacterClass::line_end:
             first_on_line_ = true;
             ++p;
@@ -210,6 +225,7 @@ LexedText Lexer::run(bool at_file_start) {
             if (p == end_) {
                 first_on_line_ = true;
                 emit(TokenKind::end_of_unit, p, p);
+                cut_tokens();
                 check_encoding();
                 std::ranges::stable_sort(result_.diagnostics, {}, [](const Diagnostic& diagnostic) {
                     return diagnostic.range.begin;
@@ -245,15 +261,33 @@ void Lexer::emit_pieces(const char* begin, const char* end) {
     }
 }
 
+void Lexer::grow_tokens(std::size_t by) {
+    const std::ptrdiff_t count = next_token_ - result_.tokens.data();
+    result_.tokens.resize(result_.tokens.size() + by);
+    next_token_ = result_.tokens.data() + count;
+    tokens_end_ = result_.tokens.data() + result_.tokens.size();
+}
+
 // Removes the last token, to read it again together with what follows it.
 Token Lexer::take_back() {
-    const Token token = result_.tokens.back();
-    result_.tokens.pop_back();
+    const Token token = *--next_token_;
     first_on_line_ = token.first_on_line();
     return token;
 }
 
 // ---- words -------------------------------------------------------------------------------------
+
+namespace {
+
+// True when every underscore of a word is followed by a letter or digit, as all have to be (2.1.2).
+[[nodiscard]] bool has_single_underscores(const char* begin, const char* end) noexcept {
+    for (const char* p = begin; p != end; ++p)
+        if (*p == '_' && (p + 1 == end || p[1] == '_'))
+            return false;
+    return true;
+}
+
+} // namespace
 
 const char* Lexer::word(const char* begin) {
     const char* p = begin;
@@ -268,9 +302,12 @@ const char* Lexer::word(const char* begin) {
 
     const auto size = static_cast<std::size_t>(p - begin);
     const TokenKind kind = keyword_kind(begin, size);
-    const bool plain = (seen & characters::word_underscore) == 0;
-    if (kind == TokenKind::identifier && (!plain || size > Token::maximum_length))
-        return identifier(begin, p);
+    if (kind == TokenKind::identifier) {
+        const bool plain =
+            (seen & characters::word_underscore) == 0 || has_single_underscores(begin, p);
+        if (!plain || size > Token::maximum_length) [[unlikely]]
+            return identifier(begin, p);
+    }
     emit(kind, begin, p);
     return p;
 }
@@ -301,8 +338,7 @@ const char* Lexer::identifier(const char* begin, const char* end) {
 bool Lexer::check_word(const char* begin, const char* end) {
     if (!check_foreign_letters(begin, end))
         return false;
-    const bool faulty = *begin == '_' && (end - begin == 1 || begin[1] == '_');
-    if (!faulty && end[-1] != '_' && view(begin, end).find("__") == std::string_view::npos)
+    if (has_single_underscores(begin, end))
         return true;
     check_underscores(begin, end);
     return false;
@@ -512,8 +548,8 @@ const char* Lexer::literal(TokenKind kind, const char* begin, const char* end) {
 
 // A `#` that belongs to nothing directly before it: perhaps blanks keep it from its prefix.
 const char* Lexer::number_sign(const char* begin) {
-    if (!result_.tokens.empty() && can_be_prefix(result_.tokens.back())) {
-        const Token prefix = result_.tokens.back();
+    if (has_tokens() && can_be_prefix(last_token())) {
+        const Token prefix = last_token();
         const char* const prefix_end = begin_ + prefix.end();
         Found found{};
         if (prefix_end != begin && Extents::blanks_end(prefix_end) == begin &&
@@ -551,9 +587,8 @@ const char* Lexer::long_number(const char* begin) {
     if (*digits_end == '#')
         return prefixed(begin, digits_end);
     const char* const word_end = extents_.word_end(digits_end);
-    const bool behind_dot = !result_.tokens.empty() &&
-                            result_.tokens.back().kind() == TokenKind::dot &&
-                            result_.tokens.back().end() == offset(begin);
+    const bool behind_dot = has_tokens() && last_token().kind() == TokenKind::dot &&
+                            last_token().end() == offset(begin);
     if (*digits_end == '.' && !behind_dot)
         return number_with_point(begin, digits_end);
     if (is_exponent_letter(*digits_end) && !behind_dot)
@@ -574,6 +609,12 @@ namespace {
 [[nodiscard]] bool is_fraction(const char* p) noexcept {
     const char* const end = Extents::digits_end(p);
     return is_digit(*p) && *end != '#' && (*end != '.' || end[1] == '.');
+}
+
+// Digits on both sides and nothing else, of a size that every real type holds.
+[[nodiscard]] bool is_plain_real(const char* begin, const char* point, const char* end) noexcept {
+    return end - begin <= safe_digits && end != point + 1 && std::all_of(begin, point, is_digit) &&
+           std::all_of(point + 1, end, is_digit);
 }
 
 } // namespace
@@ -597,7 +638,10 @@ const char* Lexer::number_with_point(const char* begin, const char* point) {
             return spaced_literal(TokenKind::real, begin,
                                   Extents::digits_end(is_sign(*rest) ? rest + 1 : rest), gaps);
     }
-    return literal(TokenKind::real, begin, end);
+    if (!is_plain_real(begin, point, end))
+        return literal(TokenKind::real, begin, end);
+    emit(TokenKind::real, begin, end);
+    return end;
 }
 
 const char* Lexer::number_with_exponent(const char* begin, const char* letter) {
@@ -695,10 +739,10 @@ const char* Lexer::dot(const char* begin) {
         return delimiter(TokenKind::dot_dot, begin, 2);
     if (!is_digit(begin[1]))
         return delimiter(TokenKind::dot, begin, 1);
-    if (result_.tokens.empty() || !ends_operand(result_.tokens.back(), begin))
+    if (!has_tokens() || !ends_operand(last_token(), begin))
         return literal(TokenKind::real, begin, extents_.real_end(begin));
 
-    const Token before = result_.tokens.back();
+    const Token before = last_token();
     const char* const before_end = begin_ + before.end();
     const bool spaced = before_end != begin && Extents::blanks_end(before_end) == begin;
     if (before.kind() != TokenKind::integer || before.malformed() || !spaced)
