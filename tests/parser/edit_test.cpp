@@ -1,0 +1,93 @@
+#include <iecfront/ast/syntax_tree.hpp>
+#include <iecfront/parser/parse.hpp>
+
+#include <gtest/gtest.h>
+#include <string>
+
+namespace iecfront {
+namespace {
+
+std::string function(int number) {
+    const std::string name = "f" + std::to_string(number);
+    return "FUNCTION " + name + " : INT\nVAR_INPUT a : INT; END_VAR\n" + name +
+           " := a;\nEND_FUNCTION\n";
+}
+
+std::string library(int functions) {
+    std::string text;
+    for (int i = 0; i < functions; ++i)
+        text += function(i);
+    return text;
+}
+
+TextRange place_of(const SyntaxTree& tree, std::string_view words) {
+    const auto begin = static_cast<std::uint32_t>(tree.source().bytes().find(words));
+    return {begin, begin + static_cast<std::uint32_t>(words.size())};
+}
+
+std::size_t shared_units(const SyntaxTree& a, const SyntaxTree& b) {
+    std::size_t shared = 0;
+    for (const auto& one : a.slots())
+        for (const auto& other : b.slots())
+            shared += one.unit == other.unit ? 1 : 0;
+    return shared;
+}
+
+TEST(Edit, SharesTheUnitsItDoesNotTouch) {
+    const SyntaxTree tree = parse(SourceText(library(50)));
+    ASSERT_EQ(tree.slots().size(), 50U);
+    const SyntaxTree edited = tree.edited(place_of(tree, "f25 := a"), "f25 := a + 1");
+    EXPECT_TRUE(edited == parse(edited.source()));
+    EXPECT_GE(shared_units(tree, edited), 45U);
+}
+
+TEST(Edit, SplitsAndJoinsUnits) {
+    const SyntaxTree tree = parse(SourceText(library(10)));
+    const SyntaxTree joined = tree.edited(place_of(tree, "END_FUNCTION\nFUNCTION f3"), "");
+    EXPECT_TRUE(joined == parse(joined.source()));
+    EXPECT_EQ(joined.slots().size(), 9U);
+    const SyntaxTree split =
+        tree.edited(place_of(tree, "f5 := a;"), "END_FUNCTION FUNCTION g : INT VAR");
+    EXPECT_TRUE(split == parse(split.source()));
+}
+
+TEST(Edit, OpensAndClosesAComment) {
+    const SyntaxTree tree = parse(SourceText(library(10) + "(* last *)\n"));
+    const SyntaxTree opened = tree.edited({0, 0}, "(* ");
+    EXPECT_TRUE(opened == parse(opened.source()));
+    const SyntaxTree closed = opened.edited({3, 3}, "*) ");
+    EXPECT_TRUE(closed == parse(closed.source()));
+    const SyntaxTree back = closed.edited({0, 6}, "");
+    EXPECT_TRUE(back == tree);
+}
+
+// A comment that nothing closes ends at its line, until an edit far behind closes it.
+TEST(Edit, ReadsAgainWhatDependsOnTheRest) {
+    const SyntaxTree tree = parse(SourceText("(* open\n" + library(10)));
+    const SyntaxTree closed = tree.edited({tree.size(), tree.size()}, "*)");
+    EXPECT_TRUE(closed == parse(closed.source()));
+    EXPECT_EQ(closed.slots().size(), 1U);
+}
+
+TEST(Edit, GrowsFromNothingAndShrinksToNothing) {
+    const std::string text = library(3);
+    SyntaxTree tree = parse(SourceText(""));
+    for (const char c : text)
+        tree = tree.edited({tree.size(), tree.size()}, std::string_view(&c, 1));
+    EXPECT_TRUE(tree == parse(SourceText(text)));
+    while (tree.size() > 0) {
+        tree = tree.edited({0, 1}, "");
+        ASSERT_TRUE(tree == parse(tree.source())) << tree.source().bytes();
+    }
+}
+
+TEST(Edit, LeavesTheOldTreeAsItWas) {
+    const SyntaxTree tree = parse(SourceText(library(3)));
+    const SyntaxTree copy = tree;
+    (void)tree.edited({0, tree.size()}, "");
+    EXPECT_TRUE(tree == copy);
+    EXPECT_EQ(tree.source().bytes(), library(3));
+}
+
+} // namespace
+} // namespace iecfront

@@ -1,0 +1,177 @@
+#include "support/invariants.hpp"
+#include "support/repository_files.hpp"
+
+#include <iecfront/ast/dump.hpp>
+#include <iecfront/ast/visitor.hpp>
+#include <iecfront/parser/parse.hpp>
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <string>
+
+namespace iecfront {
+namespace {
+
+std::string repeated(std::string_view text, std::size_t times) {
+    std::string result;
+    for (std::size_t i = 0; i < times; ++i)
+        result += text;
+    return result;
+}
+
+std::string program(const std::string& statements) {
+    return "PROGRAM p\nVAR x : INT; END_VAR\n" + statements + "\nEND_PROGRAM\n";
+}
+
+std::size_t count(const SyntaxTree& tree, DiagnosticId id) {
+    const auto found = tree.diagnostics();
+    return static_cast<std::size_t>(
+        std::count_if(found.begin(), found.end(), [id](const auto& one) { return one.id == id; }));
+}
+
+std::size_t count_nodes(const SyntaxTree& tree, ast::NodeKind kind) {
+    std::size_t nodes = 0;
+    for (const auto& slot : tree.slots())
+        ast::walk(slot.unit->root(), [&](const ast::Node& node) {
+            nodes += node.kind == kind ? 1 : 0;
+            return ast::Walk::into;
+        });
+    return nodes;
+}
+
+TEST(Parse, GivesOneUnitForNoText) {
+    const SyntaxTree tree = parse(SourceText(""));
+    ASSERT_EQ(tree.slots().size(), 1U);
+    EXPECT_TRUE(tree.slots()[0].unit->root().elements.empty());
+    EXPECT_TRUE(tree.diagnostics().empty());
+}
+
+// B.0: each library element declaration is a unit of its own.
+TEST(Parse, GivesAUnitForEachLibraryElement) {
+    const SyntaxTree tree = parse(SourceText("TYPE T : INT; END_TYPE (* c *)\n"
+                                             "FUNCTION f : T VAR_INPUT a : T; END_VAR f := a;\n"
+                                             "END_FUNCTION\n"));
+    ASSERT_EQ(tree.slots().size(), 2U);
+    EXPECT_EQ(tree.slots()[0].unit->text(), "TYPE T : INT; END_TYPE");
+    EXPECT_EQ(tree.slots()[1].first_line, 0U);
+    EXPECT_TRUE(tree.diagnostics().empty());
+}
+
+TEST(Parse, KeepsErrorsOfOneUnitFromAnother) {
+    const std::string good =
+        "FUNCTION g : INT\nVAR_INPUT a : INT; END_VAR\ng := a;\nEND_FUNCTION\n";
+    const SyntaxTree alone = parse(SourceText(good));
+    for (const std::string bad :
+         {"FUNCTION b : INT\nVAR_INPUT a : INT\nb := (a;\nIF a THEN\nEND_FUNCTION\n",
+          "TYPE T : STRUCT a : INT;\nEND_TYPE\n",
+          "PROGRAM p\nVAR x : INT;\nx := 'open\nEND_PROGRAM\n",
+          "FUNCTION_BLOCK b\nVAR x : INT; END_VAR\nREPEAT\nx := 1;\n"}) {
+        const SyntaxTree tree = parse(SourceText(bad + good));
+        ASSERT_GE(tree.slots().size(), 2U) << bad;
+        const Unit& unit = *tree.slots().back().unit;
+        EXPECT_TRUE(unit.diagnostics().empty()) << bad;
+        EXPECT_EQ(s_expression(unit, unit.root()),
+                  s_expression(*alone.slots()[0].unit, alone.slots()[0].unit->root()))
+            << bad;
+    }
+}
+
+// 3.3.1: the length of an expression is not limited; its nesting is, by an option.
+TEST(Parse, ReadsAChainOfAMillionOperands) {
+    const SyntaxTree tree =
+        parse(SourceText(program("x := 0" + repeated(" + 1", 1'000'000) + ";")));
+    EXPECT_TRUE(tree.diagnostics().empty());
+    EXPECT_EQ(count_nodes(tree, ast::NodeKind::binary_expression), 1'000'000U);
+    EXPECT_TRUE(tree == parse(tree.source()));
+}
+
+TEST(Parse, ReportsParenthesesThatNestTooDeep) {
+    const auto nested = [](std::size_t depth) {
+        return SourceText(
+            program("x := " + repeated("(", depth) + "1" + repeated(")", depth) + ";"));
+    };
+    EXPECT_TRUE(parse(nested(10), {.maximum_nesting = 10}).diagnostics().empty());
+    const SyntaxTree beyond = parse(nested(11), {.maximum_nesting = 10});
+    EXPECT_EQ(count(beyond, DiagnosticId::nesting_too_deep), 1U);
+    EXPECT_EQ(beyond.diagnostics().size(), 1U);
+    for (const std::size_t depth : {1'000U, 100'000U}) {
+        const SyntaxTree deep = parse(nested(depth));
+        EXPECT_EQ(count(deep, DiagnosticId::nesting_too_deep), 1U);
+        EXPECT_EQ(deep.diagnostics().size(), 1U);
+    }
+}
+
+TEST(Parse, SurvivesEveryKindOfDeepNesting) {
+    for (const auto& [open, close] : {std::pair{"IF TRUE THEN ", " END_IF;"},
+                                      {"REPEAT ", " UNTIL TRUE END_REPEAT;"},
+                                      {"- ", ""},
+                                      {"x[", "]"},
+                                      {"f(", ")"},
+                                      {"CASE x OF 1: ", " END_CASE;"}}) {
+        const SyntaxTree tree =
+            parse(SourceText(program(repeated(open, 20'000) + ";" + repeated(close, 20'000))));
+        EXPECT_EQ(count(tree, DiagnosticId::nesting_too_deep), 1U) << open;
+    }
+    const std::string declarations = "VAR a : " + repeated("ARRAY [1..2] OF ", 20'000) +
+                                     "INT := " + repeated("[", 20'000) + repeated("]", 20'000) +
+                                     "; END_VAR ";
+    EXPECT_GE(count(parse(SourceText("PROGRAM p " + declarations + "; END_PROGRAM")),
+                    DiagnosticId::nesting_too_deep),
+              1U);
+    const std::string structures =
+        repeated("STRUCT a : ", 20'000) + "INT;" + repeated(" END_STRUCT;", 20'000);
+    EXPECT_EQ(count(parse(SourceText("TYPE t : " + structures + " END_TYPE")),
+                    DiagnosticId::nesting_too_deep),
+              1U);
+}
+
+// 2.2.2: the same two characters in three encodings, and as codes.
+TEST(Parse, ReadsStringsInEachEncoding) {
+    EXPECT_TRUE(parse(SourceText(program("x := '\xC3\x84\xC3\x8B';"))).diagnostics().empty());
+    for (const Encoding encoding : {Encoding::iso_8859_1, Encoding::windows_1252})
+        EXPECT_TRUE(
+            parse(SourceText(program("x := '\xC4\xCB';"), {}, encoding)).diagnostics().empty());
+    EXPECT_EQ(count(parse(SourceText(program("x := '\xC4\xCB';"))), DiagnosticId::broken_encoding),
+              1U);
+}
+
+// A.1.1: three ways to end a line; the trees differ in nothing but the text between tokens.
+TEST(Parse, ReadsEveryLineEnd) {
+    const std::string text = program("x := 1;\n\n(* c *) IF x = 1 THEN\nx := 2;\nEND_IF;");
+    const SyntaxTree reference = parse(SourceText(text));
+    for (const std::string end : {"\r\n", "\r"}) {
+        std::string changed;
+        for (const char c : text)
+            changed += c == '\n' ? end : std::string(1, c);
+        const SyntaxTree tree = parse(SourceText(changed));
+        EXPECT_TRUE(tree.diagnostics().empty());
+        EXPECT_TRUE(ast::equal(tree.slots()[0].unit->root(), reference.slots()[0].unit->root()));
+        EXPECT_EQ(tree.position(tree.size()).line, reference.position(reference.size()).line);
+    }
+}
+
+TEST(Parse, KeepsAByteOrderMark) {
+    const SyntaxTree tree = parse(SourceText("\xEF\xBB\xBF" + program("x := 1;")));
+    EXPECT_TRUE(tree.diagnostics().empty());
+    EXPECT_EQ(tree.source().bytes().substr(0, 3), "\xEF\xBB\xBF");
+}
+
+TEST(Parse, GivesTheSameForSharedText) {
+    const SourceText source(program("x := 1"));
+    EXPECT_TRUE(parse(source) == parse(source));
+    EXPECT_EQ(parse(source).source().buffer(), source.buffer());
+}
+
+TEST(Parse, HoldsItsInvariantsOnTheExamples) {
+    const auto files = test::repository_files({"examples/st"}, {".st"});
+    EXPECT_GE(files.size(), 7U);
+    for (const auto& file : files) {
+        const SourceText source(file.text, file.path);
+        EXPECT_EQ(parse(source).diagnostics().size(), count(parse(source), DiagnosticId::pragma))
+            << file.path;
+        test::expect_invariants(source);
+    }
+}
+
+} // namespace
+} // namespace iecfront
