@@ -364,8 +364,9 @@ bool Parser::accept_missing_comma() {
 
 /// True when a `)` ends what begins here before a `;` does.
 bool Parser::argument_list_closes() const noexcept {
+    constexpr std::uint32_t furthest = 1000; // bounds the time that a list full of mistakes takes
     std::uint32_t depth = 0;
-    for (std::uint32_t i = at_;; i = next(i)) {
+    for (std::uint32_t i = at_; i < at_ + furthest; i = next(i)) {
         switch (tokens_[i].kind()) {
         case TokenKind::left_parenthesis: ++depth; break;
         case TokenKind::right_parenthesis:
@@ -377,6 +378,7 @@ bool Parser::argument_list_closes() const noexcept {
         default: break;
         }
     }
+    return false;
 }
 
 // param_assignment = ( [ variable_name ":=" ] expression )

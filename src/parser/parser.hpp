@@ -8,6 +8,7 @@
 #include <iecfront/diagnostics/diagnostic.hpp>
 #include <iecfront/lexer/token.hpp>
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -205,7 +206,6 @@ private:
         TokenKind closer;
         std::uint32_t opener;
     };
-    class BlockScope;
     void open_block(TokenKind closer, std::uint32_t opener) { open_.push_back({closer, opener}); }
     /// Ends the innermost block: takes its closing word, or a misspelt or mismatched one, or
     /// reports it missing. `terminator` goes with the closing word in a fix-it.
@@ -417,12 +417,9 @@ private:
         TokenKind kind;
         std::size_t diagnostic;
     };
-    std::vector<ReservedWord> reserved_words_; // keywords used as names in this unit
-    struct BlockBalance {
-        TokenKind closer;
-        std::int32_t unclosed;
-    };
-    std::vector<BlockBalance> balances_;
+    std::vector<ReservedWord> reserved_words_;              // keywords used as names in this unit
+    std::array<std::int32_t, token_kind_count> unclosed_{}; // by closing word, see unclosed()
+    bool balances_known_ = false;
     std::uint32_t else_if_chain_end_ = 0; // last chain that was looked at, see at_else_if_for_elsif
     std::uint32_t else_if_block_ = 0;
     bool else_if_means_elsif_ = false;

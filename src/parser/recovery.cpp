@@ -4,6 +4,8 @@
 #include <iecfront/lexer/name.hpp>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace iecfront {
 namespace {
@@ -66,19 +68,19 @@ bool Parser::is_open(TokenKind closer) const noexcept {
                        [closer](const OpenBlock& block) { return block.closer == closer; });
 }
 
+/// All balances are counted in one pass, when the first one is asked for.
 std::int32_t& Parser::unclosed(TokenKind closer) {
-    for (BlockBalance& balance : balances_)
-        if (balance.closer == closer)
-            return balance.unclosed;
-    std::int32_t count = 0;
-    for (std::uint32_t i = 0; i < count_; ++i) {
-        const TokenKind here = tokens_[i].kind();
-        count -= here == closer ? 1 : 0;
+    if (!std::exchange(balances_known_, true)) {
+        std::array<std::int32_t, token_kind_count> tokens{};
+        for (std::uint32_t i = 0; i < count_; ++i)
+            ++tokens[static_cast<std::size_t>(tokens_[i].kind())];
         for (const BlockWords& words : blocks)
-            count += words.closer == closer && words.opener == here ? 1 : 0;
+            unclosed_[static_cast<std::size_t>(words.closer)] +=
+                tokens[static_cast<std::size_t>(words.opener)];
+        for (std::size_t i = 0; i < unclosed_.size(); ++i)
+            unclosed_[i] -= closers.contains(static_cast<TokenKind>(i)) ? tokens[i] : 0;
     }
-    balances_.push_back({closer, count});
-    return balances_.back().unclosed;
+    return unclosed_[static_cast<std::size_t>(closer)];
 }
 
 /// True when the closing word at the cursor fits the innermost block, but by its column belongs to

@@ -1,5 +1,6 @@
 #include "parser/unit_parser.hpp"
 
+#include "lexer/encoding_check.hpp"
 #include "parser/parser.hpp"
 
 #include <algorithm>
@@ -30,6 +31,8 @@ public:
         parts.tokens = tokens.first(tokens.size() - 1);
         parts.trivia = take_trivia(end, parts.arena);
         parts.diagnostics = take_diagnostics(end, last);
+        if (auto broken = check_encoding(parts.text, parts.encoding))
+            parts.diagnostics.push_back(std::move(*broken));
 
         Parser parser(parts.text, tokens, parts.arena, options_);
         parts.root = parser.parse_library_unit();

@@ -59,8 +59,8 @@ bool Parser::at_end_of_declarations() {
     if (at_misspelt_closer())
         return true;
     // Statements in a declaration block: its END_VAR is missing.
-    return open_.back().closer == TokenKind::kw_end_var && unclosed(TokenKind::kw_end_var) > 0 &&
-           at_statement_start() && !is_elementary_type_name(peek_second());
+    return open_.back().closer == TokenKind::kw_end_var && at_statement_start() &&
+           unclosed(TokenKind::kw_end_var) > 0 && !is_elementary_type_name(peek_second());
 }
 
 /// True at declarations whose opening word is missing: an END_VAR closes nothing otherwise.
