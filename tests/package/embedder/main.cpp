@@ -10,8 +10,8 @@ int main() {
                                       "END_FUNCTION_BLOCK\n"
                                       "\n"
                                       "PROGRAM main\n"
-                                      "VAR left : Blink; END_VAR\n"
-                                      "    left()\n"
+                                      "VAR green : Blink; END_VAR\n"
+                                      "    green()\n"
                                       "END_PROGRAM\n",
                                       "embedder.st");
     const iecfront::SyntaxTree tree = iecfront::parse(source);
