@@ -1,0 +1,241 @@
+// The code of docs/embedding.md.
+#include <iecfront/iecfront.hpp>
+
+#include <cstdio>
+#include <functional>
+#include <future>
+#include <gtest/gtest.h>
+
+namespace {
+
+const std::string example = "(* counts *)\n"
+                            "FUNCTION_BLOCK Counter\n"
+                            "VAR_INPUT final : INT := 16#10; END_VAR\n"
+                            "VAR count : INT; END_VAR\n"
+                            "    FOR count := 0 TO final DO\n"
+                            "        ;\n"
+                            "    END_FOR\n"
+                            "END_FUNCTION_BLOCK\n";
+
+TEST(Embedding, Parse) {
+    iecfront::SourceText source(example, "counter.st");
+    iecfront::SyntaxTree tree = iecfront::parse(source);
+    for (const iecfront::SyntaxTree::Slot& slot : tree.slots()) {
+        const iecfront::Unit& unit = *slot.unit;
+        std::printf("%zu tokens, %zu comments and pragmas, %zu findings\n", unit.tokens().size(),
+                    unit.trivia().size(), unit.diagnostics().size());
+    }
+
+    EXPECT_EQ(tree.slots().size(), 1U);
+    EXPECT_EQ(tree.diagnostics().size(), 1U); // no `;` behind END_FOR
+}
+
+TEST(Embedding, Keep) {
+    std::shared_ptr<const iecfront::Unit> kept;
+    const iecfront::ast::LibraryUnit* root = nullptr;
+    {
+        iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+        kept = tree.slots()[0].unit;
+        root = &kept->root();
+    }
+    // The tree is gone; the unit lives, and with it the nodes, the tokens and the text.
+    std::string_view text = kept->text(*root);
+
+    EXPECT_TRUE(text.starts_with("FUNCTION_BLOCK Counter"));
+}
+
+TEST(Embedding, Threads) {
+    std::vector<iecfront::SourceText> sources(4, iecfront::SourceText(example));
+
+    std::vector<std::future<iecfront::SyntaxTree>> trees;
+    for (const iecfront::SourceText& source : sources)
+        trees.push_back(std::async([&source] { return iecfront::parse(source); }));
+
+    for (auto& tree : trees)
+        EXPECT_EQ(tree.get(), iecfront::parse(sources[0]));
+}
+
+TEST(Embedding, Positions) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+    const iecfront::SyntaxTree::Slot& slot = tree.slots()[0];
+    const iecfront::ast::Node& element = *slot.unit->root().elements.front();
+
+    iecfront::TextRange in_unit = slot.unit->range(element); // bytes from the start of the unit
+    iecfront::TextRange in_file = slot.range(element);       // bytes from the start of the file
+    iecfront::Position begin = tree.position(in_file.begin); // 1-based, columns in code points
+    iecfront::Position for_an_editor =
+        tree.position(in_file.begin, iecfront::ColumnUnit::utf16_units);
+    std::uint32_t offset = tree.offset({2, 1}); // and back
+
+    EXPECT_EQ(in_unit, in_file);
+    EXPECT_EQ(begin, (iecfront::Position{2, 1}));
+    EXPECT_EQ(for_an_editor, begin);
+    EXPECT_EQ(offset, in_file.begin);
+}
+
+// Which variables does a POU declare, and how often does it loop?
+class Survey : public iecfront::ast::Visitor<Survey> {
+public:
+    explicit Survey(const iecfront::Unit& unit) : unit_(unit) {}
+
+    iecfront::ast::Walk visit(const iecfront::ast::VariableDeclaration& declaration) {
+        for (const iecfront::ast::Identifier* name : declaration.names)
+            names.emplace_back(unit_.text(*name));
+        return iecfront::ast::Walk::over; // nothing below is of interest
+    }
+    iecfront::ast::Walk visit(const iecfront::ast::ForStatement&) {
+        ++loops;
+        return iecfront::ast::Walk::into;
+    }
+
+    std::vector<std::string> names;
+    int loops = 0;
+
+private:
+    const iecfront::Unit& unit_;
+};
+
+TEST(Embedding, Visit) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+
+    Survey survey(*tree.slots()[0].unit);
+    survey.traverse(tree.slots()[0].unit->root());
+
+    EXPECT_EQ(survey.names, (std::vector<std::string>{"final", "count"}));
+    EXPECT_EQ(survey.loops, 1);
+}
+
+TEST(Embedding, Walk) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+    const iecfront::ast::Node& root = tree.slots()[0].unit->root();
+
+    int depth = 0;
+    int deepest = 0;
+    iecfront::ast::walk(
+        root,
+        [&](const iecfront::ast::Node&) {
+            deepest = std::max(deepest, ++depth);
+            return iecfront::ast::Walk::into;
+        },
+        [&](const iecfront::ast::Node&) { --depth; });
+
+    EXPECT_GT(deepest, 3);
+}
+
+TEST(Embedding, NodeAt) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+    std::uint32_t cursor = tree.offset({5, 9});
+
+    iecfront::SyntaxTree::Path path = tree.node_at(cursor);
+    for (auto node = path.nodes.rbegin(); node != path.nodes.rend(); ++node)
+        if (const auto* loop = iecfront::ast::as<iecfront::ast::ForStatement>(*node))
+            std::printf("in the loop over %.*s\n",
+                        static_cast<int>(path.slot->unit->text(*loop->control_variable).size()),
+                        path.slot->unit->text(*loop->control_variable).data());
+
+    EXPECT_TRUE(iecfront::ast::is<iecfront::ast::VariableName>(path.nodes.back()->kind));
+}
+
+// The value of `16#FF` or `-5`, when it is one that fits.
+std::optional<std::int64_t> value_of(const iecfront::Unit& unit,
+                                     const iecfront::ast::IntegerLiteral& literal) {
+    const std::string_view text = unit.text(unit.tokens()[literal.literal_token]);
+    const std::optional<iecfront::IntegerValue> value = iecfront::integer_value(text);
+    if (!value || value->overflow || value->magnitude > INT64_MAX)
+        return std::nullopt;
+    const auto magnitude = static_cast<std::int64_t>(value->magnitude);
+    const bool minus = literal.has_sign() && unit.text(literal).front() == '-';
+    return minus != value->negative ? -magnitude : magnitude;
+}
+
+TEST(Embedding, Literals) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+    const iecfront::Unit& unit = *tree.slots()[0].unit;
+    std::vector<std::int64_t> values;
+    iecfront::ast::walk(unit.root(), [&](const iecfront::ast::Node& node) {
+        if (const auto* literal = iecfront::ast::as<iecfront::ast::IntegerLiteral>(&node))
+            values.push_back(value_of(unit, *literal).value_or(-1));
+        return iecfront::ast::Walk::into;
+    });
+    EXPECT_EQ(values, (std::vector<std::int64_t>{16, 0}));
+}
+
+TEST(Embedding, Diagnostics) {
+    iecfront::SourceText source(example, "counter.st");
+    iecfront::SyntaxTree tree = iecfront::parse(source);
+    std::string list;
+
+    iecfront::SeverityPolicy policy; // the software switch of 1.5.1
+    for (const iecfront::Diagnostic& found : tree.diagnostics()) {
+        if (policy.severity(found.id) == iecfront::Severity::allow)
+            continue;
+        const iecfront::DiagnosticInfo& info = iecfront::diagnostic_info(found.id);
+        const iecfront::Position place = tree.position(found.range.begin);
+        list += iecfront::code_string(found.id) + " " + std::string(info.name) + " in line " +
+                std::to_string(place.line) + ": " + message(found, tree.encoding()) + "\n";
+        for (const iecfront::DiagnosticFix& fix : found.fixes)
+            list += "  to do: " + description(fix, source.bytes(), tree.encoding()) + "\n";
+    }
+
+    EXPECT_TRUE(list.starts_with("IEC2006 missing-semicolon in line 7: ")) << list;
+    EXPECT_NE(list.find("to do: insert `;`"), std::string::npos) << list;
+}
+
+TEST(Embedding, Fixes) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+
+    std::string text(tree.source().bytes());
+    const std::vector<iecfront::Diagnostic> found = tree.diagnostics();
+    if (!found.empty() && !found[0].fixes.empty())
+        text = iecfront::apply_edits(text, found[0].fixes[0].edits);
+
+    EXPECT_TRUE(iecfront::parse(iecfront::SourceText(text)).diagnostics().empty());
+}
+
+TEST(Embedding, Determination) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+
+    iecfront::SeverityPolicy policy;
+    policy.set(iecfront::DiagnosticClass::extension, iecfront::Severity::warning);
+    bool known = policy.set("missing-semicolon", iecfront::Severity::warning);
+    iecfront::Determination determination = iecfront::determine(tree.diagnostics(), policy);
+
+    EXPECT_TRUE(known);
+    EXPECT_EQ(determination, iecfront::Determination::incomplete);
+}
+
+TEST(Embedding, Edits) {
+    iecfront::SourceText source(example + example);
+    iecfront::SyntaxTree before = iecfront::parse(source);
+    auto place = static_cast<std::uint32_t>(source.bytes().find("final"));
+
+    iecfront::SyntaxTree after = before.edited({place, place + 5}, "bound");
+
+    EXPECT_NE(after.slots()[0].unit, before.slots()[0].unit); // touched, and read again
+    EXPECT_EQ(after, iecfront::parse(after.source()));
+}
+
+TEST(Embedding, Comments) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+    const iecfront::Unit& unit = *tree.slots()[0].unit;
+    std::vector<std::string> comments;
+
+    for (const iecfront::Trivia& trivia : unit.trivia())
+        if (trivia.kind != iecfront::TriviaKind::pragma)
+            comments.emplace_back(unit.text(trivia.range));
+
+    EXPECT_EQ(comments, std::vector<std::string>{"(* counts *)"});
+}
+
+TEST(Embedding, Limits) {
+    iecfront::SourceText source("PROGRAM p VAR x : INT; END_VAR x := ((((1)))); END_PROGRAM");
+
+    iecfront::ParseOptions options;
+    options.maximum_nesting = 3;
+    iecfront::SyntaxTree tree = iecfront::parse(source, options);
+
+    ASSERT_EQ(tree.diagnostics().size(), 1U);
+    EXPECT_EQ(tree.diagnostics()[0].id, iecfront::DiagnosticId::nesting_too_deep);
+}
+
+} // namespace

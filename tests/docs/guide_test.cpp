@@ -1,0 +1,66 @@
+#include "docs/documents.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <gtest/gtest.h>
+
+namespace iecfront::test {
+namespace {
+
+#if defined(IECFRONT_COMMAND) && !defined(_WIN32)
+
+constexpr std::string_view prompt = "$ ";
+const std::string guide_path = "docs/guide.md";
+
+// What a line that a reader types prints, at the top of the repository.
+[[nodiscard]] std::string output_of(std::string line) {
+    const std::string shell = "cd '" + std::string(IECFRONT_SOURCE_DIR) +
+                              "' && iecfront() { '" IECFRONT_COMMAND "' \"$@\"; } && { " +
+                              std::move(line) + "; } 2>&1";
+    std::string output;
+    std::FILE* pipe = popen(shell.c_str(), "r");
+    if (pipe == nullptr)
+        return "cannot be run\n";
+    for (int c = std::getc(pipe); c != EOF; c = std::getc(pipe))
+        output += static_cast<char>(c);
+    pclose(pipe);
+    return output;
+}
+
+// The guide, with the blocks that begin with a prompt made anew.
+[[nodiscard]] std::string made_anew(std::string_view guide) {
+    std::string result;
+    bool console = false;
+    for (const std::string_view line : lines_of(guide)) {
+        if (line.starts_with("```"))
+            console = line == "```console";
+        if (console && line.starts_with(prompt))
+            result += std::string(line) + "\n" + output_of(std::string(line.substr(2)));
+        else if (!console || line.starts_with("```"))
+            result += std::string(line) + "\n";
+    }
+    return result;
+}
+
+TEST(Guide, ShowsWhatTheCommandPrints) {
+    const std::string guide = repository_text(guide_path);
+    const std::string anew = made_anew(guide);
+    const char* update = std::getenv("UPDATE_EXPECT");
+    if (update != nullptr && std::string_view(update) == "1") {
+        std::ofstream(std::filesystem::path(IECFRONT_SOURCE_DIR) / guide_path, std::ios::binary)
+            << anew;
+        return;
+    }
+    EXPECT_EQ(guide, anew) << "UPDATE_EXPECT=1 writes the file anew";
+}
+
+#else
+
+TEST(Guide, ShowsWhatTheCommandPrints) {
+    GTEST_SKIP() << "the command is not built";
+}
+
+#endif
+
+} // namespace
+} // namespace iecfront::test
