@@ -358,6 +358,8 @@ bool Parser::accept_missing_comma() {
     if (!operand && !(formal && tokens_[next(next(at_))].kind() != TokenKind::end_of_unit &&
                       argument_list_closes()))
         return false;
+    if (std::exchange(comma_assumed_at_, at_) == at_)
+        return false; // the element behind the last one took nothing
     report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
     return true;
 }

@@ -359,6 +359,7 @@ private:
     const ast::StatementList* parse_statement_list(std::string_view where);
     void parse_statements(ListBuilder<ast::Statement>& statements);
     [[nodiscard]] bool at_end_of_statements();
+    [[nodiscard]] bool at_split_closer() const noexcept;
     void skip_stray_word();
     const ast::Statement* parse_statement();
     const ast::Statement* parse_misplaced_declarations();
@@ -405,7 +406,8 @@ private:
     bool in_condition_ = false;   // `:=` is taken for `=`
     bool closer_assumed_ = false; // the last closing word was missing, and its `;` with it
     std::optional<std::uint32_t> reported_at_; // token of the last report
-    Place place_ = Place::library;             // whose declarations and body are being read
+    std::optional<std::uint32_t> comma_assumed_at_;
+    Place place_ = Place::library; // whose declarations and body are being read
 
     Arena& arena_;
     const ParseOptions& options_;

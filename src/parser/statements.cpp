@@ -52,7 +52,7 @@ void Parser::check_not_empty(const ast::StatementList& list, std::string_view wh
 void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
     while (!at_end_of_statements()) {
         if (at(statement_closers) || at(other_closers) || at(TokenKind::kw_else) ||
-            at(TokenKind::kw_elsif) || at(TokenKind::kw_until)) {
+            at(TokenKind::kw_elsif) || at(TokenKind::kw_until) || at_split_closer()) {
             skip_stray_word();
             continue;
         }
@@ -87,10 +87,18 @@ bool Parser::at_end_of_statements() {
     return at_misspelt_closer() && unclosed(innermost) > 0;
 }
 
+/// `END IF` and its like.
+bool Parser::at_split_closer() const noexcept {
+    return at_word("END") && block_statements.contains(peek()) &&
+           !tokens_[next(at_)].first_on_line();
+}
+
 /// A closing word, or another word inside a statement, of which nothing is open.
 void Parser::skip_stray_word() {
     const std::uint32_t first = at_;
     Report stray = report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
+    if (at_split_closer())
+        advance();
     const bool has_condition = at(TokenKind::kw_elsif) || at(TokenKind::kw_until);
     advance();
     if (has_condition) {

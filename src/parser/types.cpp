@@ -199,7 +199,7 @@ ast::List<ast::EnumeratedValueDeclaration> Parser::parse_enumerated_value_list()
     ListBuilder<ast::EnumeratedValueDeclaration> values(*this);
     do
         values.add(parse_enumerated_value_declaration());
-    while (accept(TokenKind::comma) || accept_missing_comma());
+    while (accept(TokenKind::comma) || (at(TokenKind::identifier) && accept_missing_comma()));
     expect_closing(TokenKind::right_parenthesis);
     return values.finish();
 }
@@ -226,6 +226,10 @@ const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaratio
         node->name = finish(name);
     } else {
         node->name = parse_declared_name("an enumerated value");
+        // What stands in the place of a name, as the number in `(Red, 5, Blue)`, is passed over.
+        if (node->name->missing && !at(TokenKind::comma) && !at(TokenKind::right_parenthesis) &&
+            (peek() == TokenKind::comma || peek() == TokenKind::right_parenthesis))
+            advance();
     }
     if (at(TokenKind::assign)) {
         report(DiagnosticId::enumerated_value_given, token().range());
