@@ -50,7 +50,10 @@ public:
         progress_.clear();
         if (findings_.files == 0 && findings_.determination == Determination::no_violations)
             findings_.determination = Determination::incomplete;
-        print(as_json() ? json_result() : summary());
+        if (as_json())
+            print_json();
+        else
+            print(summary());
         return status();
     }
 
@@ -94,36 +97,44 @@ private:
             out += ", " + counted(findings_.errors, "error");
         if (findings_.warnings > 0)
             out += ", " + counted(findings_.warnings, "warning");
-        switch (findings_.determination) {
-        case Determination::no_violations: return out + ": no violations\n";
-        case Determination::violations: return out + ": violations were found\n";
-        case Determination::incomplete: break;
-        }
-        out += ": no violations found, but the examination is incomplete\n";
+        out += conclusion();
         for (const std::string& line : left_out())
             out += "  not examined: " + line + "\n";
-        for (const std::string_view line : never_examined())
-            out += "  never examined by this version: " + std::string(line) + "\n";
+        if (findings_.files > 0 && findings_.determination == Determination::incomplete)
+            for (const std::string_view line : never_examined())
+                out += "  never examined by this version: " + std::string(line) + "\n";
         return out;
     }
 
-    [[nodiscard]] std::string json_result() const {
+    [[nodiscard]] std::string_view conclusion() const {
+        switch (findings_.determination) {
+        case Determination::no_violations: return ": no violations\n";
+        case Determination::violations: return ": violations were found\n";
+        case Determination::incomplete: break;
+        }
+        return findings_.files == 0 ? ": nothing was examined\n"
+                                    : ": no violations found, but the examination is incomplete\n";
+    }
+
+    // The diagnostics may be most of the memory there is: they are not copied once more.
+    void print_json() const {
         std::vector<std::string> not_examined = left_out();
         for (const std::string_view line : never_examined())
             not_examined.emplace_back(line);
-        std::string out = "{\"determination\": ";
-        append_json_string(out, to_string(findings_.determination));
-        out += ",\n\"notExamined\": [";
+        std::string head = "{\"determination\": ";
+        append_json_string(head, to_string(findings_.determination));
+        head += ",\n\"notExamined\": [";
         const char* separator = "";
         for (const std::string& line : not_examined) {
-            out += separator;
-            append_json_string(out, line);
+            head += separator;
+            append_json_string(head, line);
             separator = ", ";
         }
-        out += "],\n\"files\": " + std::to_string(findings_.files) + ",\n\"diagnostics\": [";
-        if (!diagnostics_.empty())
-            out += "\n" + diagnostics_ + "\n";
-        return out + "]}\n";
+        head += "],\n\"files\": " + std::to_string(findings_.files) + ",\n\"diagnostics\": [";
+        print(head);
+        print(diagnostics_.empty() ? "" : "\n");
+        print(diagnostics_);
+        print(diagnostics_.empty() ? "]}\n" : "\n]}\n");
     }
 
     // What could not be read counts most: it may hold anything.

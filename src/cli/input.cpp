@@ -115,6 +115,8 @@ std::vector<Input> find_inputs(std::span<const std::string> arguments) {
     std::vector<Input> inputs;
     if (arguments.empty())
         throw UsageError("name files or folders to read, or `-` for standard input");
+    if (std::count(arguments.begin(), arguments.end(), "") > 0)
+        throw UsageError("one of the names is empty");
     if (std::count(arguments.begin(), arguments.end(), "-") > 1)
         throw UsageError("standard input can be read once only");
     for (const std::string& argument : arguments) {

@@ -17,6 +17,11 @@ using Row = std::vector<std::size_t>;
     return fold(a) == fold(b);
 }
 
+// True when `word`, long enough to mean something, stands in `name`.
+[[nodiscard]] bool is_part(std::string_view word, std::string_view name) {
+    return word.size() >= 4 && folded(name).find(folded(word)) != std::string::npos;
+}
+
 } // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -44,7 +49,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> nam
     const std::size_t farthest = std::min<std::size_t>(word.size() / 3, 4);
     std::vector<std::pair<std::size_t, std::string_view>> near;
     for (const std::string& name : names) {
-        const std::size_t distance = edit_distance(word, name);
+        const std::size_t distance = is_part(word, name) ? 0 : edit_distance(word, name);
         if (distance <= farthest)
             near.emplace_back(distance, name);
     }

@@ -43,8 +43,9 @@ public:
 
     [[nodiscard]] Options finish() {
         if (pending_ != nullptr)
-            throw UsageError("`" + std::string(pending_->name) +
-                             "` needs a value: " + std::string(pending_->value));
+            throw UsageError("`" + std::string(pending_->name) + "` needs a value: `" +
+                             std::string(pending_->name) + " " + std::string(pending_->value) +
+                             "`");
         return std::move(options_);
     }
 

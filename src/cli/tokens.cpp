@@ -9,6 +9,7 @@
 #include <iecfront/lexer/token.hpp>
 #include <iecfront/parser/parse.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,66 +40,86 @@ struct Element {
     return elements;
 }
 
-/// Writes the elements of one file.
+/// Writes the elements of one file, a line each.
 class TokenWriter {
 public:
-    explicit TokenWriter(const SourceText& source)
-        : source_(source), counter_(source.bytes(), source.encoding()) {}
+    TokenWriter(const SourceText& source, Format format)
+        : source_(source), format_(format), counter_(source.bytes(), source.encoding()) {}
 
-    [[nodiscard]] std::string text_line(const Element& element) {
-        const Position position = counter_.advance(element.range.begin);
-        std::string out = std::to_string(position.line) + ":" + std::to_string(position.column) +
-                          " " + std::string(element.kind) + " ";
-        append_text(out, element);
-        return out + "\n";
-    }
-
-    [[nodiscard]] std::string json_object(const Element& element) {
-        const Position position = counter_.advance(element.range.begin);
-        std::string out = "{\"kind\": ";
-        append_json_string(out, element.kind);
-        out += ", \"line\": " + std::to_string(position.line) +
-               ", \"column\": " + std::to_string(position.column) +
-               ", \"offset\": " + std::to_string(element.range.begin) +
-               ", \"endOffset\": " + std::to_string(element.range.end) + ", \"text\": ";
-        append_text(out, element);
-        return out + "}";
+    void write(const SyntaxTree& tree) {
+        begin();
+        for (const SyntaxTree::Slot& slot : tree.slots())
+            for (const Element& element : elements_of(slot))
+                write(element);
+        out_ += format_ == Format::json ? "\n]}\n" : "";
+        print(out_);
     }
 
 private:
-    void append_text(std::string& out, const Element& element) const {
-        append_json_string(out, source_.bytes().substr(element.range.begin, element.range.size()),
+    void begin() {
+        if (format_ == Format::text)
+            return;
+        out_ += "{\"file\": ";
+        append_json_string(out_, source_.name());
+        out_ += ", \"tokens\": [\n";
+    }
+
+    void write(const Element& element) {
+        const Position position = counter_.advance(element.range.begin);
+        if (format_ == Format::json)
+            append_object(element, position);
+        else
+            append_line(element, position);
+        if (out_.size() > buffer_size) {
+            print(out_);
+            out_.clear();
+        }
+    }
+
+    void append_line(const Element& element, Position position) {
+        append_number(position.line);
+        out_ += ':';
+        append_number(position.column);
+        out_ += ' ';
+        out_ += element.kind;
+        out_ += ' ';
+        append_text(element);
+        out_ += '\n';
+    }
+
+    void append_object(const Element& element, Position position) {
+        out_ += first_ ? "{\"kind\": \"" : ",\n{\"kind\": \"";
+        first_ = false;
+        out_ += element.kind;
+        out_ += "\", \"line\": ";
+        append_number(position.line);
+        out_ += ", \"column\": ";
+        append_number(position.column);
+        out_ += ", \"offset\": ";
+        append_number(element.range.begin);
+        out_ += ", \"endOffset\": ";
+        append_number(element.range.end);
+        out_ += ", \"text\": ";
+        append_text(element);
+        out_ += '}';
+    }
+
+    void append_text(const Element& element) {
+        const TextRange range = element.range;
+        append_json_string(out_, source_.bytes().substr(range.begin, range.size()),
                            source_.encoding());
     }
 
+    void append_number(std::uint32_t number) { out_ += std::to_string(number); }
+
+    static constexpr std::size_t buffer_size = std::size_t{1} << 16U;
+
     const SourceText& source_;
+    Format format_;
     PositionCounter counter_;
+    std::string out_;
+    bool first_ = true;
 };
-
-void print_text(const SyntaxTree& tree, const SourceText& source) {
-    TokenWriter writer(source);
-    for (const SyntaxTree::Slot& slot : tree.slots())
-        for (const Element& element : elements_of(slot))
-            print(writer.text_line(element));
-}
-
-void print_json(const SyntaxTree& tree, const SourceText& source) {
-    TokenWriter writer(source);
-    std::string out = "{\"file\": ";
-    append_json_string(out, source.name());
-    out += ", \"tokens\": [";
-    std::string_view separator = "\n";
-    for (const SyntaxTree::Slot& slot : tree.slots()) {
-        for (const Element& element : elements_of(slot)) {
-            out += separator;
-            out += writer.json_object(element);
-            print(out);
-            out.clear();
-            separator = ",\n";
-        }
-    }
-    print(out + "\n]}\n");
-}
 
 } // namespace
 
@@ -106,13 +127,9 @@ Status run_tokens(const Options& options) {
     const std::vector<Input> inputs = find_inputs(options.operands);
     return read_each(inputs, options, [&](const SourceText& source) {
         const SyntaxTree tree = parse(source, options.parse);
-        if (options.format == Format::json) {
-            print_json(tree, source);
-            return;
-        }
-        if (inputs.size() > 1)
+        if (options.format == Format::text && inputs.size() > 1)
             print(source.name() + ":\n");
-        print_text(tree, source);
+        TokenWriter(source, options.format).write(tree);
     });
 }
 

@@ -1,0 +1,385 @@
+#include "cli/command.hpp"
+
+#include <iecfront/diagnostics/severity.hpp>
+
+#include <algorithm>
+
+namespace iecfront::test {
+namespace {
+
+using CheckCommand = CommandTest;
+
+[[nodiscard]] std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+[[nodiscard]] bool contains(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+// ---- determination and status
+// --------------------------------------------------------------------
+
+TEST_F(CheckCommand, SaysThatNothingWasFoundAndWhatIsNeverExamined) {
+    write("good.st", good_program);
+    const Outcome outcome = run({"check", "good.st"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    std::string expected = "1 file: no violations found, but the examination is incomplete\n";
+    for (const std::string_view line : never_examined())
+        expected += "  never examined by this version: " + std::string(line) + "\n";
+    if (never_examined().empty())
+        expected = "1 file: no violations\n";
+    EXPECT_EQ(outcome.out, expected);
+}
+
+TEST_F(CheckCommand, PrintsAClickableLineTheSourceAndTheRemedy) {
+    write("bad.st", bad_program);
+    const Outcome outcome = run({"check", "bad.st"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out, "bad.st:3:7: error IEC2006: `;` is missing\n"
+                           "  3 | x := 1\n"
+                           "    |       ^\n"
+                           "help: insert `;`\n"
+                           "1 file, 1 error: violations were found\n");
+}
+
+TEST_F(CheckCommand, WarningsLeaveTheStatus) {
+    write("extended.st", extended_program);
+    const Outcome outcome = run({"check", "--warn", "extension", "extended.st"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(outcome.out.starts_with("extended.st:3:9: warning IEC5001: ")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "\n1 file, 1 warning: no violations found, but"));
+}
+
+TEST_F(CheckCommand, SeveritiesCanBeSet) {
+    write("extended.st", extended_program);
+    const auto status = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), "check");
+        options.push_back("extended.st");
+        return run(options).status;
+    };
+    EXPECT_EQ(status({"--warn", "extension"}), 0);
+    EXPECT_EQ(status({"--deny", "extension"}), 1);
+    EXPECT_EQ(status({"--deny=IEC5001"}), 1);
+    EXPECT_EQ(status({"--deny", "iec5001"}), 1);
+    EXPECT_EQ(status({"--deny", "line-comment", "--warn", "line-comment"}), 0);
+    EXPECT_EQ(status({"--warn", "line-comment", "--deny", "line-comment"}), 1);
+    EXPECT_EQ(status({"--warn", "line-comment", "--strict"}), 0);
+    EXPECT_EQ(status({"--deny", "line-comment", "--allow", "extension"}), 1);
+    EXPECT_FALSE(contains(run({"check", "--allow", "extension", "extended.st"}).out, "IEC5001"));
+}
+
+TEST_F(CheckCommand, StrictLetsNoRelianceOnTheImplementationPass) {
+    write("pragma.st", "{ any }\n" + std::string(good_program));
+    EXPECT_EQ(run({"check", "pragma.st"}).status, 0);
+    const Outcome outcome = run({"check", "--strict", "pragma.st"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.out.starts_with("pragma.st:1:1: error IEC6001: ")) << outcome.out;
+    EXPECT_EQ(run({"check", "--allow", "pragma", "--strict", "pragma.st"}).status, 0);
+}
+
+TEST_F(CheckCommand, AnAllowedViolationIsNotReportedButLeavesTheExaminationIncomplete) {
+    write("bad.st", bad_program);
+    const Outcome outcome = run({"check", "--allow", "missing-semicolon", "bad.st"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(outcome.out.starts_with("1 file: no violations found, but the examination is "
+                                        "incomplete\n"))
+        << outcome.out;
+}
+
+TEST_F(CheckCommand, ALimitGivesAStatusOfItsOwn) {
+    write("deep.st", deep_program);
+    EXPECT_EQ(run({"check", "deep.st"}).status, 0);
+    const Outcome outcome = run({"check", "--max-nesting", "5", "deep.st"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_TRUE(contains(outcome.out, "deep.st:3:")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "\n  not examined: IEC9002 nesting-too-deep\n"))
+        << outcome.out;
+}
+
+TEST_F(CheckCommand, ALimitThatIsNotReportedIsStillSaid) {
+    write("deep.st", deep_program);
+    const Outcome outcome = run({"check", "--max-nesting", "5", "--allow", "limit", "deep.st"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_TRUE(contains(outcome.out, "\n  not examined: IEC9002 nesting-too-deep\n"))
+        << outcome.out;
+}
+
+TEST_F(CheckCommand, ViolationsCountMoreThanLimits) {
+    write("deep.st", deep_program);
+    write("bad.st", bad_program);
+    EXPECT_EQ(run({"check", "--max-nesting", "5", "deep.st", "bad.st"}).status, 1);
+}
+
+// ---- JSON
+// ----------------------------------------------------------------------------------------
+
+TEST_F(CheckCommand, JsonIsOneObject) {
+    write("good.st", good_program);
+    const JsonValue json = run_json({"check", "--format", "json", "good.st"});
+    EXPECT_EQ(json.names(), "determination notExamined files diagnostics");
+    EXPECT_EQ(json["determination"].text,
+              never_examined().empty() ? "no-violations" : "incomplete");
+    EXPECT_EQ(json["notExamined"].items.size(), never_examined().size());
+    EXPECT_EQ(json["files"].text, "1");
+    EXPECT_EQ(json["diagnostics"].kind, JsonValue::Kind::array);
+    EXPECT_TRUE(json["diagnostics"].items.empty());
+}
+
+TEST_F(CheckCommand, JsonHoldsTheDiagnosticsOfAllFilesInOrder) {
+    write("a.st", bad_program);
+    write("b.st", good_program);
+    write("c.st", extended_program);
+    const JsonValue json =
+        run_json({"check", "--format=json", "--warn=extension", "c.st", "b.st", "a.st"});
+    EXPECT_EQ(json["determination"].text, "violations");
+    EXPECT_EQ(json["files"].text, "3");
+    ASSERT_EQ(json["diagnostics"].items.size(), 2U);
+    const JsonValue& first = json["diagnostics"][0];
+    EXPECT_EQ(first["file"].text, "c.st");
+    EXPECT_EQ(first["severity"].text, "warning");
+    const JsonValue& second = json["diagnostics"][1];
+    EXPECT_EQ(second.names(),
+              "file line column endLine endColumn offset endOffset code name severity class "
+              "clause message labels fixes");
+    EXPECT_EQ(second["file"].text, "a.st");
+    EXPECT_EQ(second["line"].text, "3");
+    EXPECT_EQ(second["column"].text, "7");
+    EXPECT_EQ(second["offset"].text, "39");
+    EXPECT_EQ(second["fixes"][0]["edits"][0]["text"].text, ";");
+}
+
+TEST_F(CheckCommand, JsonSaysWhatWasLeftOut) {
+    write("deep.st", deep_program);
+    const Outcome outcome =
+        run({"check", "--format=json", "--max-nesting=5", "missing.st", "deep.st"});
+    EXPECT_EQ(outcome.status, 2);
+    const std::optional<JsonValue> json = read_json(outcome.out);
+    ASSERT_TRUE(json.has_value()) << outcome.out;
+    EXPECT_EQ((*json)["files"].text, "1");
+    EXPECT_EQ((*json)["notExamined"][0].text, "missing.st: No such file or directory");
+    EXPECT_EQ((*json)["notExamined"][1].text, "IEC9002 nesting-too-deep");
+}
+
+TEST_F(CheckCommand, JsonIsWellFormedForAnyBytes) {
+    std::string bytes;
+    for (int i = 0; i < 4096; ++i)
+        bytes += static_cast<char>((i * 167 + i / 256) & 0xFF);
+    write("x\xFF\"\n.st", bytes);
+    for (const char* encoding : {"utf-8", "iso-8859-1", "windows-1252"})
+        static_cast<void>(run_json({"check", "--format=json", "--encoding", encoding, "."}));
+}
+
+// ---- inputs
+// --------------------------------------------------------------------------------------
+
+TEST_F(CheckCommand, WhatCannotBeReadIsOneLineAndTheRestIsRead) {
+    write("good.st", good_program);
+    write("bad.st", bad_program);
+    const Outcome outcome = run({"check", "one.st", "bad.st", "two.st", "good.st"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, "iecfront: one.st: No such file or directory\n"
+                           "iecfront: two.st: No such file or directory\n");
+    EXPECT_TRUE(contains(outcome.out, "bad.st:3:7: error")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "\n2 files, 1 error: violations were found\n"
+                                      "  not examined: one.st: No such file or directory\n"
+                                      "  not examined: two.st: No such file or directory\n"))
+        << outcome.out;
+}
+
+TEST_F(CheckCommand, NothingReadIsNothingExamined) {
+    const Outcome outcome = run({"check", "missing.st"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "0 files: nothing was examined\n"
+                           "  not examined: missing.st: No such file or directory\n");
+}
+
+TEST_F(CheckCommand, FoldersAreReadToTheirDepthInOrder) {
+    write("d/z.ST", bad_program);
+    write("d/sub/b.Pou", bad_program);
+    write("d/sub/deeper/c.iec", bad_program);
+    write("d/a.sfc", bad_program);
+    write("d/e.il", bad_program);
+    write("d/readme.txt", bad_program);
+    write("d/st", bad_program);
+    std::filesystem::create_directory_symlink("..", folder() / "d/sub/loop");
+    std::filesystem::create_directory(folder() / "d/folder.st");
+    const JsonValue json = run_json({"check", "--format=json", "d"});
+    std::string files;
+    for (const JsonValue& diagnostic : json["diagnostics"].items)
+        files += diagnostic["file"].text + " ";
+    EXPECT_EQ(files, "d/a.sfc d/e.il d/sub/b.Pou d/sub/deeper/c.iec d/z.ST ");
+}
+
+TEST_F(CheckCommand, AFolderWithoutSourcesIsSaid) {
+    std::filesystem::create_directory(folder() / "d");
+    const Outcome outcome = run({"check", "d"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, "iecfront: d: no *.st, *.il, *.sfc, *.iec or *.pou in this folder\n");
+}
+
+TEST_F(CheckCommand, ADanglingLinkIsSaid) {
+    std::filesystem::create_symlink("nowhere.st", folder() / "link.st");
+    const Outcome outcome = run({"check", "."});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, "iecfront: ./link.st: No such file or directory\n");
+}
+
+TEST_F(CheckCommand, StandardInputIsReadWhenNamed) {
+    const Outcome outcome = run({"check", "-"}, bad_program);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(first_line(outcome.out), "<stdin>:3:7: error IEC2006: `;` is missing");
+}
+
+TEST_F(CheckCommand, AResponseFileHoldsArguments) {
+    write("with space.st", bad_program);
+    write("list", "\xEF\xBB\xBF--allow=missing-semicolon\r\n\n@more\r\n");
+    write("more", "with space.st");
+    const Outcome outcome = run({"check", "@list"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with("1 file:")) << outcome.out;
+}
+
+TEST_F(CheckCommand, AResponseFileThatCannotBeUsedIsSaid) {
+    write("circle", "@circle\n");
+    const Outcome circle = run({"check", "@circle"});
+    EXPECT_EQ(circle.status, 2);
+    EXPECT_EQ(first_line(circle.err), "iecfront: response file circle includes itself");
+    const Outcome missing = run({"check", "@missing"});
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_EQ(first_line(missing.err),
+              "iecfront: response file missing: No such file or directory");
+}
+
+TEST_F(CheckCommand, TwoDashesEndTheOptions) {
+    write("--strict", bad_program);
+    write("@list", bad_program);
+    const Outcome outcome = run({"check", "--", "--strict", "@list"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(contains(outcome.out, "2 files, 2 errors")) << outcome.out << outcome.err;
+}
+
+TEST_F(CheckCommand, OptionsMayFollowFiles) {
+    write("extended.st", extended_program);
+    EXPECT_EQ(run({"check", "extended.st", "--warn", "extension"}).status, 0);
+}
+
+TEST_F(CheckCommand, TheOutputIsTheSameForAnyNumberOfJobs) {
+    std::vector<std::string> arguments = {"check", "--jobs", "1"};
+    for (int i = 0; i < 60; ++i) {
+        const std::string name = "file" + std::to_string(i) + ".st";
+        if (i % 7 != 3)
+            write(name, i % 3 == 0 ? bad_program : extended_program);
+        arguments.push_back(name);
+    }
+    const Outcome one = run(arguments);
+    EXPECT_EQ(one.status, 2);
+    for (const char* jobs : {"2", "3", "16", "1024"}) {
+        arguments[2] = jobs;
+        const Outcome several = run(arguments);
+        EXPECT_EQ(several.status, one.status);
+        EXPECT_EQ(several.out, one.out);
+        EXPECT_EQ(several.err, one.err);
+    }
+}
+
+// ---- texts
+// ---------------------------------------------------------------------------------------
+
+TEST_F(CheckCommand, AnEmptyFileHasNothingWrong) {
+    write("empty.st", "");
+    const Outcome outcome = run({"check", "empty.st"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(outcome.out.starts_with("1 file:")) << outcome.out;
+}
+
+TEST_F(CheckCommand, LineEndsAndByteOrderMarkMoveNothing) {
+    write("crlf.st", "PROGRAM p\r\nVAR x : INT; END_VAR\r\nx := 1\r\nEND_PROGRAM\r\n");
+    write("cr.st", "PROGRAM p\rVAR x : INT; END_VAR\rx := 1\rEND_PROGRAM\r");
+    write("bom.st", "\xEF\xBB\xBF" + std::string(bad_program));
+    for (const char* name : {"crlf.st", "cr.st", "bom.st"})
+        EXPECT_EQ(first_line(run({"check", name}).out),
+                  name + std::string(":3:7: error IEC2006: `;` is missing"));
+}
+
+TEST_F(CheckCommand, EncodingsAreAsTold) {
+    write("latin.st", "PROGRAM p\nVAR s : STRING; END_VAR\ns := '\xC4\xCB';\nEND_PROGRAM\n");
+    EXPECT_EQ(run({"check", "latin.st"}).status, 1);
+    EXPECT_EQ(run({"check", "--encoding", "iso-8859-1", "latin.st"}).status, 0);
+    EXPECT_EQ(run({"check", "--encoding", "CP1252", "latin.st"}).status, 0);
+}
+
+TEST_F(CheckCommand, BytesOfAnotherKindGiveAnAnswer) {
+    write("zero.st", std::string(100000, '\0'));
+    const Outcome zero = run({"check", "zero.st"});
+    EXPECT_EQ(zero.status, 1);
+    EXPECT_LT(zero.out.size(), 10000U) << "a run of the same fault is one report";
+
+    std::string noise;
+    for (unsigned i = 0, x = 1; i < 100000; ++i, x = x * 1664525U + 1013904223U)
+        noise += static_cast<char>(x >> 24U);
+    write("noise.st", noise);
+    const Outcome outcome = run({"check", "noise.st"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(contains(outcome.out, " not shown; --max-findings 0 shows all\n"));
+}
+
+TEST_F(CheckCommand, TooManyFindingsAreCountedButNotShown) {
+    write("bad.st", "PROGRAM p\nx := 1\ny := 2\nz := 3\nEND_PROGRAM\n");
+    const auto shown = [&](const char* most) {
+        const std::string out = run({"check", "--max-findings", most, "bad.st"}).out;
+        EXPECT_TRUE(contains(out, "1 file, 3 errors: violations were found\n")) << out;
+        std::size_t count = 0;
+        for (std::size_t at = out.find(": error "); at != out.npos;
+             at = out.find(": error ", at + 1))
+            ++count;
+        return count;
+    };
+    EXPECT_EQ(shown("1"), 1U);
+    EXPECT_EQ(shown("2"), 2U);
+    EXPECT_EQ(shown("3"), 3U);
+    EXPECT_EQ(shown("0"), 3U);
+    EXPECT_TRUE(contains(run({"check", "--max-findings=1", "bad.st"}).out,
+                         "bad.st: 2 more findings not shown; --max-findings 0 shows all\n"));
+}
+
+TEST_F(CheckCommand, ATextBeyondTheLimitIsNotRead) {
+    write("large.st", "");
+    std::filesystem::resize_file(folder() / "large.st", std::uintmax_t{1} << 32U); // sparse
+    const Outcome outcome = run({"check", "large.st"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_TRUE(outcome.out.starts_with("large.st:1:1: warning IEC9001: ")) << outcome.out;
+}
+
+// ---- output
+// --------------------------------------------------------------------------------------
+
+TEST_F(CheckCommand, ColourIsForTerminals) {
+    write("bad.st", bad_program);
+    EXPECT_FALSE(contains(run({"check", "bad.st"}).out, "\x1B["));
+    EXPECT_FALSE(contains(run({"check", "--color", "never", "bad.st"}).out, "\x1B["));
+    EXPECT_TRUE(contains(run({"check", "--color=always", "bad.st"}).out, "\x1B["));
+    EXPECT_FALSE(contains(run({"check", "--color=always", "--format=json", "bad.st"}).out, "\x1B"));
+}
+
+TEST_F(CheckCommand, AnOutputThatCannotBeWrittenIsSaid) {
+    write("bad.st", bad_program);
+    if (std::filesystem::exists("/dev/full")) {
+        const Outcome full = run({"check", "bad.st"}, {}, "> /dev/full");
+        EXPECT_EQ(full.status, 2);
+        EXPECT_EQ(full.err, "iecfront: standard output: No space left on device\n");
+    }
+    std::string many;
+    for (int i = 0; i < 100000; ++i)
+        many += good_program;
+    write("many.st", many);
+    const Outcome closed = run_shell(
+        "{ \"$IECFRONT\" tokens many.st; echo $? > status; } | head -c 1 > part; cat status");
+    EXPECT_EQ(closed.out, "2\n");
+    EXPECT_EQ(closed.err, "iecfront: standard output: Broken pipe\n");
+}
+
+} // namespace
+} // namespace iecfront::test
