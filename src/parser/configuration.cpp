@@ -93,7 +93,7 @@ ast::List<ast::Node> Parser::parse_configuration_elements(Place place) {
            !(place == Place::resource &&
              (at(TokenKind::kw_var_access) || at(TokenKind::kw_var_config))) &&
            !at_library_element_closer() && !at_misspelt_closer())
-        elements.add(parse_configuration_element(place));
+        add_in_loop(elements, [&] { return parse_configuration_element(place); });
     return elements.finish();
 }
 

@@ -105,7 +105,7 @@ Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments argume
 }
 
 Parser::Report Parser::report_at(std::uint32_t token, DiagnosticId id, Arguments arguments) {
-    if (std::exchange(reported_at_, token) == token)
+    if (std::exchange(reported_at_, token) == token || follows_unknown(token))
         return {*this, std::nullopt};
     return report(id, tokens_[token].range(), std::move(arguments));
 }
@@ -119,7 +119,7 @@ Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
     const bool swallowed = end_ > 0 && tokens_[end_ - 1].malformed() && token().first_on_line() &&
                            (tokens_[end_ - 1].kind() == TokenKind::single_byte_string ||
                             tokens_[end_ - 1].kind() == TokenKind::double_byte_string);
-    if (std::exchange(reported_at_, at_) == at_ || swallowed)
+    if (std::exchange(reported_at_, at_) == at_ || swallowed || follows_unknown(at_))
         return {*this, std::nullopt};
     return report(id, {previous_end(), previous_end()}, std::move(arguments));
 }

@@ -167,7 +167,7 @@ const ast::Expression* Parser::parse_unary() {
                : plus ? ast::UnaryOperator::plus
                       : ast::UnaryOperator::logical_not;
     const std::uint32_t sign = advance();
-    if (plus)
+    if (plus && at_expression_start())
         report_at(sign, DiagnosticId::unary_plus).remove(tokens_[sign].range());
     const bool repeated = (at(TokenKind::minus) || at(TokenKind::plus) || at(TokenKind::kw_not)) &&
                           !at_signed_number();
@@ -350,25 +350,30 @@ ast::List<ast::Node> Parser::parse_arguments() {
     return list;
 }
 
-/// Between two arguments or subscripts: something that begins another one follows directly.
+/// Between two arguments or subscripts: something that begins another one follows directly, or
+/// behind a `;`. False where nothing was read since the last time.
 bool Parser::accept_missing_comma() {
     const bool formal = (at(TokenKind::identifier) || at(execution_control)) &&
                         (peek() == TokenKind::assign || peek() == TokenKind::output_arrow);
     const bool operand = at_expression_start() && !token().first_on_line();
-    if (!operand && !(formal && tokens_[next(next(at_))].kind() != TokenKind::end_of_unit &&
-                      argument_list_closes()))
+    if (operand || (formal && argument_list_closes(at_))) {
+        Report missing = report_missing(DiagnosticId::missing_token, {"`,`"});
+        missing.insert(previous_end(), ",");
+        return bool(missing);
+    }
+    const std::uint32_t behind = next(at_);
+    if (!at(TokenKind::semicolon) || tokens_[behind].first_on_line() ||
+        !argument_list_closes(behind))
         return false;
-    if (std::exchange(comma_assumed_at_, at_) == at_)
-        return false; // the element behind the last one took nothing
-    report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
+    report_unexpected("`,`").replace(token().range(), ",");
+    advance();
     return true;
 }
 
-/// True when a `)` ends what begins here before a `;` does.
-bool Parser::argument_list_closes() const noexcept {
-    constexpr std::uint32_t furthest = 1000; // bounds the time that a list full of mistakes takes
+/// True when a `)` ends what begins at token `i` before a `;` does.
+bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
     std::uint32_t depth = 0;
-    for (std::uint32_t i = at_; i < at_ + furthest; i = next(i)) {
+    for (;; i = next(i)) {
         switch (tokens_[i].kind()) {
         case TokenKind::left_parenthesis: ++depth; break;
         case TokenKind::right_parenthesis:
@@ -380,7 +385,6 @@ bool Parser::argument_list_closes() const noexcept {
         default: break;
         }
     }
-    return false;
 }
 
 // param_assignment = ( [ variable_name ":=" ] expression )

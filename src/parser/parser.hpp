@@ -143,7 +143,18 @@ private:
         std::size_t begin_;
     };
 
-    /// Counts nesting; `deeper()` is false when the limit is reached, which is then reported.
+    /// Adds what `parse` gives, and proves progress: when it took nothing, a token is passed over,
+    /// so that no loop over unreadable text goes on for ever. An empty statement takes none of its
+    /// own.
+    template<class T, class Parse>
+    void add_in_loop(ListBuilder<T>& list, Parse parse) {
+        const std::uint32_t begin = at_;
+        list.add(parse());
+        if (at_ == begin && !at(TokenKind::semicolon))
+            advance();
+    }
+
+    /// Counts nesting; it is `too_deep()` beyond the limit, which is then reported once.
     class NestingGuard {
     public:
         explicit NestingGuard(Parser& parser) noexcept : parser_(parser) { ++parser_.nesting_; }
@@ -185,6 +196,10 @@ private:
     /// "expected {what}, found {the current token}".
     Report report_unexpected(std::string what);
     [[nodiscard]] std::uint32_t previous_end() const noexcept;
+    /// True when a character that was reported as having no meaning stands before the token.
+    [[nodiscard]] bool follows_unknown(std::uint32_t token) const noexcept {
+        return token > 0 && tokens_[token - 1].kind() == TokenKind::unknown;
+    }
     /// The token in backticks, or in words.
     [[nodiscard]] std::string describe(std::uint32_t index) const;
     [[nodiscard]] std::string quoted(std::uint32_t index) const;
@@ -351,7 +366,7 @@ private:
     [[nodiscard]] bool formal_list_follows() const noexcept;
     [[nodiscard]] static unsigned operator_strength(TokenKind kind) noexcept;
     bool accept_missing_comma();
-    [[nodiscard]] bool argument_list_closes() const noexcept;
+    [[nodiscard]] bool argument_list_closes(std::uint32_t i) const noexcept;
     [[nodiscard]] bool at_expression_start() const noexcept;
     [[nodiscard]] bool at_operand_keyword() const noexcept;
 
@@ -369,7 +384,8 @@ private:
     void expect_assign();
     [[nodiscard]] static bool is_variable(const ast::Expression& expression) noexcept;
     const ast::Statement* parse_assignment(const ast::Expression* variable);
-    const ast::Statement* finish_expression_statement(const ast::Expression* expression);
+    const ast::Statement* finish_expression_statement(const ast::Expression* expression,
+                                                      std::size_t reports);
     const ast::Statement* parse_if_statement();
     const ast::ElsifClause* parse_elsif_clause();
     [[nodiscard]] bool at_else_if_for_elsif();

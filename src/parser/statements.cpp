@@ -56,8 +56,8 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
             skip_stray_word();
             continue;
         }
-        const ast::Statement* statement = parse_statement();
-        statements.add(statement);
+        const ast::Statement* statement = nullptr;
+        add_in_loop(statements, [&] { return statement = parse_statement(); });
         if (const ast::Statement* rest = expect_semicolon_of_statement(*statement))
             statements.add(rest);
     }
@@ -204,11 +204,12 @@ const ast::Statement* Parser::parse_word_statement() {
 
 /// What begins with a variable: an assignment or the invocation of a function block.
 const ast::Statement* Parser::parse_simple_statement() {
+    const std::size_t reports = diagnostics_.size();
     const bool variable = at(TokenKind::identifier) || at_operand_keyword() || used_as_name(kind());
     if (!variable && !at(TokenKind::direct_variable)) {
         const ast::Expression* expression = parse_expression();
         return at(TokenKind::assign) ? parse_assignment(expression)
-                                     : finish_expression_statement(expression);
+                                     : finish_expression_statement(expression, reports);
     }
     const std::uint32_t first = at_;
     const ast::Expression* left = variable ? parse_variable() : parse_direct_variable();
@@ -221,7 +222,7 @@ const ast::Statement* Parser::parse_simple_statement() {
     const ast::Expression* expression = parse_binary_rest(left, 1);
     static constexpr TokenSet words_of_other_languages{TokenKind::identifier, TokenKind::integer};
     if (at(TokenKind::semicolon) || !at(words_of_other_languages) || reported_at_ == at_)
-        return finish_expression_statement(expression);
+        return finish_expression_statement(expression, reports);
     // Two names in a row: neither an assignment nor an invocation.
     auto* error = make<ast::ErrorStatement>();
     error->first_token = first;
@@ -295,11 +296,13 @@ const ast::Statement* Parser::make_invocation(const ast::FunctionCall& call) {
     return node;
 }
 
-const ast::Statement* Parser::finish_expression_statement(const ast::Expression* expression) {
+/// `reports` is how many there were before the statement: what is wrong inside goes first.
+const ast::Statement* Parser::finish_expression_statement(const ast::Expression* expression,
+                                                          std::size_t reports) {
     auto* node = make_from<ast::ExpressionStatement>(expression);
     node->expression = expression;
     finish(node);
-    if (reported_at_ != at_)
+    if (diagnostics_.size() == reports && reported_at_ != at_)
         report_node(*expression, DiagnosticId::expression_statement);
     return node;
 }

@@ -20,7 +20,7 @@ const ast::DataTypeDeclaration* Parser::parse_data_type_declaration() {
     open_block(TokenKind::kw_end_type, advance());
     ListBuilder<ast::Node> declarations(*this);
     while (!at_end_of_declarations())
-        declarations.add(parse_type_declaration());
+        add_in_loop(declarations, [this] { return parse_type_declaration(); });
     if (declarations.empty())
         report_empty_block(open_.back().opener);
     node->declarations = declarations.finish();
@@ -301,7 +301,7 @@ const ast::TypeSpecification* Parser::parse_structure_declaration() {
     open_block(TokenKind::kw_end_struct, advance());
     ListBuilder<ast::Node> elements(*this);
     while (!at_end_of_declarations())
-        elements.add(parse_structure_element_declaration());
+        add_in_loop(elements, [this] { return parse_structure_element_declaration(); });
     if (elements.empty())
         report_empty_block(open_.back().opener);
     node->elements = elements.finish();

@@ -96,7 +96,7 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     }
     ListBuilder<ast::Node> declarations(*this);
     while (!at_end_of_declarations())
-        declarations.add(parse_declaration(*node, place));
+        add_in_loop(declarations, [&] { return parse_declaration(*node, place); });
     if (declarations.empty())
         report_empty_block(opener);
     node->declarations = declarations.finish();
