@@ -351,15 +351,16 @@ ast::List<ast::Node> Parser::parse_arguments() {
 }
 
 /// Between two arguments or subscripts: something that begins another one follows directly, or
-/// behind a `;`. False where nothing was read since the last time.
+/// behind a `;`.
 bool Parser::accept_missing_comma() {
     const bool formal = (at(TokenKind::identifier) || at(execution_control)) &&
                         (peek() == TokenKind::assign || peek() == TokenKind::output_arrow);
     const bool operand = at_expression_start() && !token().first_on_line();
     if (operand || (formal && argument_list_closes(at_))) {
-        Report missing = report_missing(DiagnosticId::missing_token, {"`,`"});
-        missing.insert(previous_end(), ",");
-        return bool(missing);
+        if (std::exchange(comma_assumed_at_, at_) == at_)
+            return false; // the element behind the last one took nothing
+        report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
+        return true;
     }
     const std::uint32_t behind = next(at_);
     if (!at(TokenKind::semicolon) || tokens_[behind].first_on_line() ||
@@ -372,8 +373,9 @@ bool Parser::accept_missing_comma() {
 
 /// True when a `)` ends what begins at token `i` before a `;` does.
 bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
+    constexpr std::uint32_t furthest = 1000; // bounds the time that a list full of mistakes takes
     std::uint32_t depth = 0;
-    for (;; i = next(i)) {
+    for (const std::uint32_t end = i + furthest; i < end; i = next(i)) {
         switch (tokens_[i].kind()) {
         case TokenKind::left_parenthesis: ++depth; break;
         case TokenKind::right_parenthesis:
@@ -385,6 +387,7 @@ bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
         default: break;
         }
     }
+    return false;
 }
 
 // param_assignment = ( [ variable_name ":=" ] expression )
