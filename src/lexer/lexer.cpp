@@ -105,7 +105,6 @@ private:
     bool check_word(const char* begin, const char* end);
     void check_underscores(const char* begin, const char* end);
     bool check_foreign_letters(const char* begin, const char* end);
-    void check_encoding();
     const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
     const char* end_of_first_line(const char* begin, DiagnosticId fault, std::uint32_t size);
     const char* line_end(const char* begin);
@@ -226,7 +225,6 @@ LexedText Lexer::run(bool at_file_start) {
                 first_on_line_ = true;
                 emit(TokenKind::end_of_unit, p, p);
                 cut_tokens();
-                check_encoding();
                 std::ranges::stable_sort(result_.diagnostics, {}, [](const Diagnostic& diagnostic) {
                     return diagnostic.range.begin;
                 });
@@ -905,42 +903,11 @@ const char* Lexer::unexpected(const char* begin) {
         else
             break;
     }
-    if (first.valid) // of broken bytes the encoding check speaks
+    if (first.valid) // of broken bytes `check_encoding` speaks
         report(DiagnosticId::unexpected_character, range(begin, p))
             .arguments.emplace_back(first.code_point);
     emit_any(TokenKind::unknown, begin, p, true);
     return p;
-}
-
-// Reports the first byte of the text that is no part of a character, wherever it stands; where one
-// is, there are more, and for one reason.
-void Lexer::check_encoding() {
-    if (encoding_ == Encoding::iso_8859_1)
-        return; // every byte is a character
-    constexpr std::uint64_t high_bits = 0x8080808080808080U;
-    const char* p = begin_;
-    while (p != end_) {
-        std::uint64_t eight = 0;
-        if (end_ - p >= 8) {
-            std::memcpy(&eight, p, sizeof eight);
-            if ((eight & high_bits) == 0) {
-                p += sizeof eight;
-                continue;
-            }
-        }
-        const DecodedCharacter character = extents_.decode(p);
-        if (!character.valid) {
-            constexpr std::string_view digits = "0123456789ABCDEF";
-            const auto byte = static_cast<unsigned char>(*p);
-            Diagnostic& diagnostic =
-                report(DiagnosticId::broken_encoding, range(p, p + character.size));
-            diagnostic.arguments.emplace_back(std::string("16#") + digits[byte / 16] +
-                                              digits[byte % 16]);
-            diagnostic.arguments.emplace_back(std::string(to_string(encoding_)));
-            return;
-        }
-        p += character.size;
-    }
 }
 
 } // namespace

@@ -1,0 +1,48 @@
+#include "lexer/encoding_check.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace iecfront {
+namespace {
+
+/// Whether the eight bytes from `offset` on are there and all ASCII, as nearly all are.
+[[nodiscard]] bool eight_are_ascii(std::string_view text, std::size_t offset) noexcept {
+    constexpr std::uint64_t high_bits = 0x8080808080808080U;
+    std::uint64_t eight = 0;
+    if (text.size() - offset < sizeof eight)
+        return false;
+    std::memcpy(&eight, text.data() + offset, sizeof eight);
+    return (eight & high_bits) == 0;
+}
+
+[[nodiscard]] Diagnostic broken_byte(std::string_view text, std::uint32_t offset,
+                                     Encoding encoding) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    const auto byte = static_cast<unsigned char>(text[offset]);
+    Diagnostic diagnostic{DiagnosticId::broken_encoding, {offset, offset + 1}, {}, {}, {}};
+    diagnostic.arguments.emplace_back(std::string("16#") + digits[byte / 16] + digits[byte % 16]);
+    diagnostic.arguments.emplace_back(std::string(to_string(encoding)));
+    return diagnostic;
+}
+
+} // namespace
+
+std::optional<Diagnostic> check_encoding(std::string_view text, Encoding encoding) {
+    if (encoding == Encoding::iso_8859_1)
+        return std::nullopt; // every byte is a character
+    for (std::size_t offset = 0; offset < text.size();) {
+        if (eight_are_ascii(text, offset)) {
+            offset += 8;
+            continue;
+        }
+        const DecodedCharacter character = decode_character(text, offset, encoding);
+        if (!character.valid)
+            return broken_byte(text, static_cast<std::uint32_t>(offset), encoding);
+        offset += character.size;
+    }
+    return std::nullopt;
+}
+
+} // namespace iecfront
