@@ -15,14 +15,24 @@ using Slots = std::span<const SyntaxTree::Slot>;
 /// makes it plausible, or the `;` behind a closing word. See `cut_units`.
 constexpr std::size_t cutter_lookahead = 8;
 
+/// True when the unit begins with a word. A point or a number sign can belong to the token before
+/// it instead, so that there a text can be read neither from its middle on nor up to it.
+bool begins_with_word(const Unit& unit) {
+    const auto tokens = unit.tokens();
+    return !tokens.empty() &&
+           (is_keyword(tokens[0].kind()) || tokens[0].kind() == TokenKind::identifier);
+}
+
 /// The first slot that has to be read again when something changes in `slot`: tokens of later units
 /// decide where one ends, and a comment that nothing closes depends on all that follows.
 std::size_t first_touched(Slots slots, std::size_t slot) {
     for (std::size_t i = 0; i < slot; ++i)
-        if (slots[i].unit->depends_on_rest())
-            return i;
+        if (slots[i].unit->depends_on_rest()) {
+            slot = i;
+            break;
+        }
     std::size_t tokens = 0;
-    while (slot > 0 && tokens < cutter_lookahead)
+    while (slot > 0 && (tokens < cutter_lookahead || !begins_with_word(*slots[slot].unit)))
         tokens += slots[--slot].unit->tokens().size();
     return slot;
 }
@@ -36,26 +46,29 @@ std::string edited_text(Slots slots, std::size_t first, std::size_t end, TextRan
     return text.replace(range.begin - slots[first].offset, range.size(), replacement);
 }
 
-/// The number of cuts up to the first one that falls together with the end of an old unit behind
-/// the edit, with enough text behind it to be sure; nothing when there is none.
+/// Looks where newly read units fall in step with old ones.
 struct InStep {
-    std::size_t cuts;
+    std::size_t cuts; // up to that place
     std::size_t slot; // the old unit that ends there
 };
+
+/// The first place behind the edit where a new unit ends as an old one did, with enough text behind
+/// it to be sure; nothing when there is none. `units` are those of the old slots from `first` on,
+/// `slot` is the one that the edit ends in.
 std::optional<InStep> find_in_step(const LexedUnits& units, Slots slots, std::size_t first,
                                    std::size_t slot, std::uint32_t growth) {
-    if (units.lexed.depends_on_rest_from < units.size())
+    if (!units.lexed.open_ended.empty())
         return std::nullopt;
     const std::size_t tokens = units.lexed.tokens.size() - 1;
-    const std::uint32_t begin = slots[first].offset;
-    for (std::size_t cut = 0; cut + 1 < units.cuts.size(); ++cut) {
+    for (std::size_t cut = 0; cut + 1 < units.cuts.size() && slot + 1 < slots.size();) {
         if (units.cuts[cut].end_token + cutter_lookahead > tokens)
             return std::nullopt;
-        const std::uint32_t end = units.unit_end(cut) - growth;
-        while (slot + 1 < slots.size() && slots[slot + 1].offset - begin < end)
-            ++slot;
-        if (slot + 1 < slots.size() && slots[slot + 1].offset - begin == end)
+        const std::uint32_t end = units.unit_end(cut);
+        const std::uint32_t old_end = slots[slot + 1].offset - slots[first].offset + growth;
+        if (end == old_end && begins_with_word(*slots[slot + 1].unit))
             return InStep{cut + 1, slot};
+        cut += end <= old_end ? 1 : 0;
+        slot += end >= old_end ? 1 : 0;
     }
     return std::nullopt;
 }
@@ -69,7 +82,6 @@ void truncate(LexedUnits& units, std::size_t cuts) {
     found.erase(std::find_if(found.begin(), found.end(),
                              [size](const Diagnostic& one) { return one.range.begin >= size; }),
                 found.end());
-    units.lexed.depends_on_rest_from = size;
 }
 
 } // namespace

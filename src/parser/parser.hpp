@@ -99,10 +99,13 @@ private:
         node->first_token = first->first_token;
         return node;
     }
-    /// Ends `node` behind the last token that was consumed.
+    /// Ends `node` behind the last token that was consumed. When none was, unreadable tokens before
+    /// the cursor count as consumed, so that an empty node lies inside the one around it.
     template<class T>
     T* finish(T* node) noexcept {
-        node->end_token = end_ < node->first_token ? node->first_token : end_;
+        if (end_ < node->first_token)
+            end_ = node->first_token;
+        node->end_token = end_;
         return node;
     }
     /// A node for something that is not there.
@@ -364,6 +367,7 @@ private:
     const ast::Identifier* parse_argument_name();
     const ast::Expression* parse_output_variable();
     [[nodiscard]] bool formal_list_follows() const noexcept;
+    [[nodiscard]] std::string spaced(std::string_view meant, TextRange range) const;
     [[nodiscard]] static unsigned operator_strength(TokenKind kind) noexcept;
     bool accept_missing_comma();
     [[nodiscard]] bool argument_list_closes(std::uint32_t i) const noexcept;

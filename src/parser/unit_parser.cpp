@@ -25,7 +25,7 @@ public:
         parts.buffer = source_.buffer;
         parts.encoding = source_.encoding;
         parts.text = std::string_view(*source_.buffer).substr(begin_, end - begin_);
-        parts.depends_on_rest = source_.lexed.depends_on_rest_from < end;
+        parts.depends_on_rest = take_open_ended(end);
         parts.arena = Arena(std::size_t{end_token - token_ + 2} * bytes_per_token);
         const std::span<const Token> tokens = take_tokens(end_token, end, parts.arena);
         parts.tokens = tokens.first(tokens.size() - 1);
@@ -70,6 +70,15 @@ private:
         return arena.copy(std::span<const Trivia>(trivia));
     }
 
+    /// True when some comment or pragma of the unit is open-ended.
+    bool take_open_ended(std::uint32_t end) {
+        const std::size_t before = open_ended_;
+        const std::vector<std::uint32_t>& all = source_.lexed.open_ended;
+        while (open_ended_ < all.size() && all[open_ended_] < end)
+            ++open_ended_;
+        return open_ended_ > before;
+    }
+
     std::vector<Diagnostic> take_diagnostics(std::uint32_t end, bool last) {
         std::vector<Diagnostic> diagnostics;
         for (; diagnostic_ < source_.lexed.diagnostics.size(); ++diagnostic_) {
@@ -95,6 +104,7 @@ private:
     std::uint32_t begin_ = 0;
     std::uint32_t token_ = 0;
     std::size_t trivia_ = 0;
+    std::size_t open_ended_ = 0;
     std::size_t diagnostic_ = 0;
 };
 
