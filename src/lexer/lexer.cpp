@@ -49,7 +49,6 @@ public:
           extents_(text, encoding) {
         // Published programs have a token in 6 to 8 bytes; the row grows where that is too few.
         grow_tokens(text.size() / 6 + 16);
-        result_.depends_on_rest_from = static_cast<std::uint32_t>(text.size());
     }
 
     LexedText run(bool at_file_start);
@@ -127,9 +126,6 @@ private:
     }
     static void add_replacement(Diagnostic& diagnostic, TextRange where, std::string text = {}) {
         diagnostic.fixes.push_back({{TextEdit{where, std::move(text)}}});
-    }
-    void depend_on_rest(const char* from) {
-        result_.depends_on_rest_from = std::min(result_.depends_on_rest_from, offset(from));
     }
     Token take_back();
     // Tokens are written into a row made beforehand, which is cut to its length in the end.
@@ -785,7 +781,7 @@ const char* Lexer::line_end(const char* begin) {
 // rest of the file is still read.
 const char* Lexer::end_of_first_line(const char* begin, DiagnosticId fault, std::uint32_t size) {
     report(fault, range(begin, begin + size));
-    depend_on_rest(begin);
+    result_.open_ended.push_back(offset(begin));
     return line_end(begin);
 }
 
@@ -826,7 +822,7 @@ const char* Lexer::end_of_nested_comment(const char* begin, const char* inner,
         marks_.build(text_, offset(begin));
     if (const auto end = marks_.balanced_end(offset(begin)))
         return begin_ + *end;
-    depend_on_rest(begin);
+    result_.open_ended.push_back(offset(begin));
     return closing + 1;
 }
 

@@ -14,10 +14,10 @@ struct LexedText {
     std::vector<Token> tokens; // ends in one end_of_unit token of length 0 at the end of the text
     std::vector<Trivia> trivia;
     std::vector<Diagnostic> diagnostics; // ordered by position
-    /// The first offset whose treatment depended on everything up to the end of the text (a comment
-    /// that nothing closes); the text's size when there is none. An edit behind it can change what
-    /// stands before the edit.
-    std::uint32_t depends_on_rest_from = 0;
+    /// Where the comments and pragmas begin, in order, whose end depended on everything up to the
+    /// end of the text, as that of a comment does that nothing closes. An edit behind such a place
+    /// can change what stands before the edit.
+    std::vector<std::uint32_t> open_ended;
 };
 
 /// Reads `text`, which a zero byte must follow. Never fails: tokens, trivia and the white space

@@ -68,7 +68,8 @@ std::string tiling_fault(std::string_view text, const LexedText& lexed, Encoding
             return "diagnostic at " + place(diagnostic.range);
         last = diagnostic.range.begin;
     }
-    return lexed.depends_on_rest_from <= size ? "" : "depends on more than there is";
+    const bool ordered = std::is_sorted(lexed.open_ended.begin(), lexed.open_ended.end());
+    return ordered ? "" : "open ends are not in order";
 }
 
 std::string tokens(std::string_view text, Encoding encoding) {
