@@ -7,6 +7,11 @@
 #include <utility>
 
 namespace iecfront {
+namespace {
+
+constexpr TokenSet brackets_end{TokenKind::right_parenthesis, TokenKind::right_bracket};
+
+} // namespace
 
 Parser::Parser(std::string_view text, std::span<const Token> tokens, Arena& arena,
                const ParseOptions& options)
@@ -48,17 +53,44 @@ std::uint32_t Parser::column(std::uint32_t index) const noexcept {
     return offset - begin;
 }
 
+/// True when the closing bracket at the cursor has its opening one earlier in this statement or
+/// declaration.
+bool Parser::closes_open_bracket() const noexcept {
+    constexpr std::uint32_t furthest = 1000;
+    const TokenKind opener =
+        at(TokenKind::right_bracket) ? TokenKind::left_bracket : TokenKind::left_parenthesis;
+    std::uint32_t closed = 0;
+    for (std::uint32_t i = at_; i > 0 && at_ - i < furthest; --i) {
+        const TokenKind before = tokens_[i - 1].kind();
+        if (before == TokenKind::semicolon)
+            return false;
+        if (before == kind())
+            ++closed;
+        else if (before == opener && closed-- == 0)
+            return true;
+    }
+    return false;
+}
+
 bool Parser::expect(TokenKind expected) {
     if (accept(expected))
         return true;
+    const std::string words(spelling(expected));
     const bool intruder = peek() == expected && !at_end() && !is_keyword(kind()) &&
                           !at(TokenKind::semicolon) && on_same_line(at_, next(at_));
     if (intruder) {
-        report_unexpected("`" + std::string(spelling(expected)) + "`").remove(tokens_[at_].range());
+        Report unexpected = report_unexpected("`" + words + "`");
+        if (!at(brackets_end))
+            unexpected.remove(token().range());
         advance();
         return accept(expected);
     }
-    const std::string words(spelling(expected));
+    if (at(brackets_end) && brackets_end.contains(expected) && !closes_open_bracket()) {
+        report_at(at_, DiagnosticId::unexpected_token, {"`" + words + "`", describe(at_)})
+            .replace(token().range(), words);
+        advance();
+        return true;
+    }
     const bool word = is_keyword(expected);
     report_missing(DiagnosticId::missing_token, {"`" + words + "`"})
         .insert(previous_end(), word ? " " + words : words);
@@ -105,7 +137,8 @@ Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments argume
 }
 
 Parser::Report Parser::report_at(std::uint32_t token, DiagnosticId id, Arguments arguments) {
-    if (std::exchange(reported_at_, token) == token || follows_unknown(token))
+    if (std::exchange(reported_at_, token) == token || follows_unknown(token) ||
+        tokens_[token].malformed())
         return {*this, std::nullopt};
     return report(id, tokens_[token].range(), std::move(arguments));
 }
@@ -127,7 +160,7 @@ Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
 Parser::Report Parser::report_unexpected(std::string what) {
     Report unexpected =
         report_at(at_, DiagnosticId::unexpected_token, {std::move(what), describe(at_)});
-    if (at(TokenKind::right_parenthesis) || at(TokenKind::right_bracket))
+    if (at(brackets_end))
         unexpected.remove(token().range());
     return unexpected;
 }

@@ -138,14 +138,21 @@ std::string Parser::spaced(std::string_view meant, TextRange range) const {
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
     for (;;) {
         OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
-        if (in_condition_ && at(TokenKind::assign)) {
+        const bool assign = in_condition_ && at(TokenKind::assign);
+        const TokenKind split = in_condition_ && at(TokenKind::output_arrow)
+                                    ? TokenKind::greater_equal
+                                    : split_operator();
+        if (assign)
             row = {equality, ast::BinaryOperator::equal, {}};
-            if (minimum <= equality)
-                report_at(at_, DiagnosticId::assignment_for_equal).replace(token().range(), "=");
-        }
+        else if (split != TokenKind::end_of_unit)
+            row = operator_row(split);
         if (row.strength < minimum || row.strength == 0)
             return left;
-        if (!row.meant.empty())
+        if (assign)
+            report_at(at_, DiagnosticId::assignment_for_equal).replace(token().range(), "=");
+        else if (split != TokenKind::end_of_unit)
+            accept_split_operator(split);
+        else if (!row.meant.empty())
             report_at(at_, DiagnosticId::foreign_operator,
                       {std::string(text(at_)), std::string(row.meant)})
                 .replace(token().range(), spaced(row.meant, token().range()));
@@ -156,6 +163,47 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
         node->right = parse_binary(row.strength + 1);
         left = finish(node);
     }
+}
+
+/// What two delimiters in a row mean that cannot stand so: `< =`, `* *` or `=<`; end_of_unit for
+/// any others.
+TokenKind Parser::split_operator() const noexcept {
+    static constexpr TokenSet firsts{TokenKind::less, TokenKind::greater, TokenKind::equal,
+                                     TokenKind::star};
+    if (!at(firsts) || !on_same_line(at_, next(at_)))
+        return TokenKind::end_of_unit;
+    const TokenKind after = peek();
+    switch (kind()) {
+    case TokenKind::less:
+        return after == TokenKind::equal     ? TokenKind::less_equal
+               : after == TokenKind::greater ? TokenKind::not_equal
+                                             : TokenKind::end_of_unit;
+    case TokenKind::greater:
+        return after == TokenKind::equal ? TokenKind::greater_equal : TokenKind::end_of_unit;
+    case TokenKind::equal:
+        return after == TokenKind::less && adjoins_next() ? TokenKind::less_equal
+                                                          : TokenKind::end_of_unit;
+    case TokenKind::star:
+        return after == TokenKind::star ? TokenKind::power : TokenKind::end_of_unit;
+    default: return TokenKind::end_of_unit;
+    }
+}
+
+/// Reports what stands for `meant`, and leaves its last token to be consumed.
+void Parser::accept_split_operator(TokenKind meant) {
+    const std::string words(spelling(meant));
+    const bool one = at(TokenKind::output_arrow);
+    const TextRange range = token_range(at_, one ? at_ + 1 : next(at_) + 1);
+    if (one || adjoins_next())
+        report(DiagnosticId::foreign_operator, range,
+               {std::string(text_.substr(range.begin, range.size())), words})
+            .replace(range, words);
+    else
+        report(DiagnosticId::white_space_in_delimiter, {token().end(), tokens_[next(at_)].offset()},
+               {words})
+            .replace(range, words);
+    if (!one)
+        advance();
 }
 
 // unary_expression = [ unary_operator ] primary_expression ;
@@ -346,12 +394,15 @@ ast::List<ast::Node> Parser::parse_arguments() {
             arguments.add(parse_argument());
         while (accept(TokenKind::comma) || accept_missing_comma());
     }
-    if (!at(TokenKind::right_parenthesis) && !at(TokenKind::semicolon) &&
-        !token().first_on_line()) {
+    static constexpr TokenSet expected{TokenKind::right_parenthesis, TokenKind::right_bracket,
+                                       TokenKind::semicolon};
+    if (at(expected) || token().first_on_line()) {
+        expect(TokenKind::right_parenthesis);
+    } else {
         report_unexpected("`,` or `)`");
-        skip_to({TokenKind::right_parenthesis, TokenKind::semicolon});
+        skip_to(expected);
+        accept(TokenKind::right_parenthesis);
     }
-    expect(TokenKind::right_parenthesis);
     in_condition_ = outer;
     const ast::List<ast::Node> list = arguments.finish();
     if (diagnostics_.size() == reports)
@@ -409,6 +460,15 @@ const ast::Node* Parser::parse_argument() {
         if (negated)
             advance();
         output->name = parse_argument_name();
+        advance();
+        output->variable = parse_output_variable();
+        return finish(output);
+    }
+    if (at(TokenKind::identifier) && peek() == TokenKind::equal &&
+        peek_second() == TokenKind::greater) {
+        auto* output = make<ast::OutputArgument>();
+        output->name = parse_argument_name();
+        accept_split_operator(TokenKind::output_arrow);
         advance();
         output->variable = parse_output_variable();
         return finish(output);

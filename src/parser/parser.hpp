@@ -223,6 +223,7 @@ private:
     struct OpenBlock {
         TokenKind closer;
         std::uint32_t opener;
+        bool in_else = false; // of IF or CASE: no other part follows
     };
     void open_block(TokenKind closer, std::uint32_t opener) { open_.push_back({closer, opener}); }
     /// Ends the innermost block: takes its closing word, or a misspelt or mismatched one, or
@@ -232,6 +233,7 @@ private:
     [[nodiscard]] bool is_open(TokenKind closer) const noexcept;
     [[nodiscard]] bool closes_outer_block() const noexcept;
     [[nodiscard]] bool at_misspelt_closer() const noexcept;
+    [[nodiscard]] bool closes_open_bracket() const noexcept;
     [[nodiscard]] bool at_mismatched_closer() const noexcept;
     /// How many more blocks of this kind begin in the unit than are closed.
     [[nodiscard]] std::int32_t& unclosed(TokenKind closer);
@@ -361,6 +363,8 @@ private:
     ast::List<ast::Node> parse_arguments();
     const ast::Node* parse_argument();
     void check_arguments(const ast::List<ast::Node>& arguments);
+    [[nodiscard]] TokenKind split_operator() const noexcept;
+    void accept_split_operator(TokenKind meant);
     const ast::Expression* parse_missing_expression();
     const ast::Expression* parse_too_deep_expression();
     const ast::Expression* check_function_call(const ast::Expression* operand);
@@ -392,6 +396,15 @@ private:
                                                       std::size_t reports);
     const ast::Statement* parse_if_statement();
     const ast::ElsifClause* parse_elsif_clause();
+    [[nodiscard]] bool belongs_to_outer_if() noexcept;
+    [[nodiscard]] bool at_misspelt_elsif() const noexcept;
+    void open_statement(TokenKind opener, TokenKind closer);
+    [[nodiscard]] TokenKind missing_opener();
+    [[nodiscard]] std::uint32_t find_on_line(TokenKind word) const noexcept;
+    const ast::StatementList* parse_else_list();
+    const ast::Statement* parse_label_after_else();
+    void parse_for_list(ast::ForStatement& loop);
+    [[nodiscard]] bool accept_misspelt_word(TokenKind word);
     [[nodiscard]] bool at_else_if_for_elsif();
     const ast::Statement* parse_case_statement();
     const ast::CaseElement* parse_case_element();

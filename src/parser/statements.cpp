@@ -1,7 +1,9 @@
+#include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/standard_names.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace iecfront {
@@ -21,6 +23,9 @@ constexpr TokenSet library_element_closers{
 
 constexpr TokenSet block_statements{TokenKind::kw_if, TokenKind::kw_case, TokenKind::kw_for,
                                     TokenKind::kw_while, TokenKind::kw_repeat};
+
+constexpr TokenSet statement_words =
+    block_statements | TokenSet{TokenKind::kw_return, TokenKind::kw_exit};
 
 constexpr TokenSet declaration_words = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
 
@@ -73,18 +78,55 @@ bool Parser::at_end_of_statements() {
                (statement_closers.contains(innermost) && unclosed(innermost) > 0);
     switch (kind()) {
     case TokenKind::kw_else:
-        return is_open(TokenKind::kw_end_if) || is_open(TokenKind::kw_end_case);
-    case TokenKind::kw_elsif: return is_open(TokenKind::kw_end_if);
+        return open_.back().in_else
+                   ? belongs_to_outer_if()
+                   : is_open(TokenKind::kw_end_if) || is_open(TokenKind::kw_end_case);
+    case TokenKind::kw_elsif:
+        return open_.back().in_else ? belongs_to_outer_if() : is_open(TokenKind::kw_end_if);
     case TokenKind::kw_until: return is_open(TokenKind::kw_end_repeat);
     default: break;
     }
     if (innermost == TokenKind::kw_end_case && at_case_label())
+        return !open_.back().in_else;
+    if (innermost == TokenKind::kw_end_if && at_misspelt_elsif())
         return true;
     // A label inside another statement: that statement is not closed.
     if (token().first_on_line() && is_open(TokenKind::kw_end_case) && at_case_label() &&
         unclosed(innermost) > 0)
         return true;
     return at_misspelt_closer() && unclosed(innermost) > 0;
+}
+
+/// At ELSE or ELSIF after the ELSE of the innermost statement: true when it is for another one,
+/// because the innermost is not closed.
+bool Parser::belongs_to_outer_if() noexcept {
+    if (unclosed(open_.back().closer) <= 0)
+        return false;
+    return std::any_of(open_.rbegin() + 1, open_.rend(), [this](const OpenBlock& block) {
+        return !block.in_else &&
+               (block.closer == TokenKind::kw_end_if ||
+                (block.closer == TokenKind::kw_end_case && at(TokenKind::kw_else)));
+    });
+}
+
+/// `ELSEIF`, `ELIF` and the like, with its THEN.
+bool Parser::at_misspelt_elsif() const noexcept {
+    return at(TokenKind::identifier) && !open_.back().in_else &&
+           is_misspelling(text(at_), spelling(TokenKind::kw_elsif)) &&
+           find_on_line(TokenKind::kw_then) < count_;
+}
+
+/// The place of `word` in what is left of this line, before any `;`; the end when it is not there.
+std::uint32_t Parser::find_on_line(TokenKind word) const noexcept {
+    for (std::uint32_t i = at_; i < count_; i = next(i)) {
+        if (tokens_[i].kind() == word)
+            return i;
+        if (tokens_[i].kind() == TokenKind::semicolon ||
+            (i > at_ &&
+             (tokens_[i].first_on_line() || statement_words.contains(tokens_[i].kind()))))
+            break;
+    }
+    return count_;
 }
 
 /// `END IF` and its like.
@@ -96,14 +138,19 @@ bool Parser::at_split_closer() const noexcept {
 /// A closing word, or another word inside a statement, of which nothing is open.
 void Parser::skip_stray_word() {
     const std::uint32_t first = at_;
-    Report stray = report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
+    const bool after_else =
+        open_.back().in_else && (at(TokenKind::kw_else) || at(TokenKind::kw_elsif));
+    Report stray = after_else
+                       ? report_unexpected("`" + std::string(spelling(open_.back().closer)) + "`")
+                       : report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
     if (at_split_closer())
         advance();
     const bool has_condition = at(TokenKind::kw_elsif) || at(TokenKind::kw_until);
     advance();
     if (has_condition) {
         parse_condition();
-        accept(TokenKind::kw_then);
+        accept(tokens_[first].kind() == TokenKind::kw_until ? TokenKind::kw_end_repeat
+                                                            : TokenKind::kw_then);
     }
     if (tokens_[first].kind() != TokenKind::kw_else)
         accept(TokenKind::semicolon);
@@ -123,10 +170,24 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
                          at(TokenKind::kw_else) || at(TokenKind::kw_elsif) ||
                          at(TokenKind::kw_until);
     if (missing) {
-        report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+        const bool bracket = reported_at_ == at_ && !diagnostics_.empty() &&
+                             diagnostics_.back().id == DiagnosticId::missing_token;
+        if (bracket) // what is missing before the `;` was reported here, and takes it along
+            for (DiagnosticFix& fix : diagnostics_.back().fixes)
+                fix.edits.back().replacement += ';';
+        else
+            report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
         return nullptr;
     }
-    report_unexpected("an operator or `;`");
+    static constexpr TokenSet look_alikes{TokenKind::comma, TokenKind::colon, TokenKind::dot};
+    if (at(look_alikes) && tokens_[next(at_)].first_on_line()) {
+        report_unexpected("`;`").replace(token().range(), ";");
+        advance();
+        return nullptr;
+    }
+    const bool has_expression = statement.kind == ast::NodeKind::assignment_statement ||
+                                statement.kind == ast::NodeKind::expression_statement;
+    report_unexpected(has_expression ? "an operator or `;`" : "`;`");
     const ast::ErrorStatement* rest = skip_statement();
     accept(TokenKind::semicolon);
     return rest;
@@ -157,7 +218,12 @@ const ast::Statement* Parser::parse_statement() {
     }
     if (at(declaration_words))
         return parse_misplaced_declarations();
-    const bool name = at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind()));
+    if (open_.back().in_else && open_.back().closer == TokenKind::kw_end_case && at_case_label())
+        return parse_label_after_else();
+    static constexpr TokenSet operator_functions{TokenKind::kw_and, TokenKind::kw_or,
+                                                 TokenKind::kw_xor, TokenKind::kw_mod};
+    const bool name = at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())) ||
+                      (at(operator_functions) && peek() == TokenKind::left_parenthesis);
     if (at_expression_start() || name)
         return parse_simple_statement();
     if (at(part_words)) {
@@ -204,6 +270,13 @@ const ast::Statement* Parser::parse_word_statement() {
 
 /// What begins with a variable: an assignment or the invocation of a function block.
 const ast::Statement* Parser::parse_simple_statement() {
+    switch (missing_opener()) {
+    case TokenKind::kw_if: return parse_if_statement();
+    case TokenKind::kw_case: return parse_case_statement();
+    case TokenKind::kw_for: return parse_for_statement();
+    case TokenKind::kw_while: return parse_while_statement();
+    default: break;
+    }
     const std::size_t reports = diagnostics_.size();
     const bool variable = at(TokenKind::identifier) || at_operand_keyword() || used_as_name(kind());
     if (!variable && !at(TokenKind::direct_variable)) {
@@ -213,13 +286,16 @@ const ast::Statement* Parser::parse_simple_statement() {
     }
     const std::uint32_t first = at_;
     const ast::Expression* left = variable ? parse_variable() : parse_direct_variable();
-    static constexpr TokenSet assigns{TokenKind::assign, TokenKind::equal, TokenKind::colon};
+    static constexpr TokenSet assigns{TokenKind::assign, TokenKind::equal, TokenKind::colon,
+                                      TokenKind::equal_equal, TokenKind::output_arrow};
     if (at(assigns))
         return parse_assignment(left);
     if (const auto* call = ast::as<ast::FunctionCall>(left);
         call != nullptr && operator_strength(kind()) == 0)
         return make_invocation(*call);
     const ast::Expression* expression = parse_binary_rest(left, 1);
+    if (at(TokenKind::assign))
+        return parse_assignment(expression);
     static constexpr TokenSet words_of_other_languages{TokenKind::identifier, TokenKind::integer};
     if (at(TokenKind::semicolon) || !at(words_of_other_languages) || reported_at_ == at_)
         return finish_expression_statement(expression, reports);
@@ -268,7 +344,11 @@ void Parser::expect_assign() {
         report_at(at_, DiagnosticId::white_space_in_delimiter, {":="}).remove(gap);
         advance();
         advance();
-    } else if (at(TokenKind::colon)) {
+    } else if (at(TokenKind::equal_equal)) {
+        report_at(at_, DiagnosticId::foreign_operator, {std::string(text(at_)), ":="})
+            .replace(token().range(), ":=");
+        advance();
+    } else if (at(TokenKind::colon) || at(TokenKind::output_arrow)) {
         report_unexpected("`:=`").replace(token().range(), ":=");
         advance();
     } else {
@@ -299,6 +379,9 @@ const ast::Statement* Parser::make_invocation(const ast::FunctionCall& call) {
 /// `reports` is how many there were before the statement: what is wrong inside goes first.
 const ast::Statement* Parser::finish_expression_statement(const ast::Expression* expression,
                                                           std::size_t reports) {
+    if (const auto* call = ast::as<ast::FunctionCall>(expression);
+        call != nullptr && call->function->kind == ast::NodeKind::variable_name)
+        return make_invocation(*call);
     auto* node = make_from<ast::ExpressionStatement>(expression);
     node->expression = expression;
     finish(node);
@@ -315,27 +398,67 @@ const ast::Statement* Parser::finish_expression_statement(const ast::Expression*
 //                "END_IF" ;
 const ast::Statement* Parser::parse_if_statement() {
     auto* node = make<ast::IfStatement>();
-    open_block(TokenKind::kw_end_if, advance());
+    open_statement(TokenKind::kw_if, TokenKind::kw_end_if);
     node->condition = parse_condition();
     expect_word(TokenKind::kw_then);
     node->then_list = parse_statement_list("after THEN");
     ListBuilder<ast::ElsifClause> clauses(*this);
     while (open_.back().closer == TokenKind::kw_end_if) {
-        const bool elsif = at(TokenKind::kw_elsif) || at_else_if_for_elsif();
-        if (!elsif && (!at(TokenKind::kw_else) || node->else_list != nullptr))
-            break;
-        if (node->else_list != nullptr)
-            report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
-        if (elsif) {
+        if (at(TokenKind::kw_elsif) || at_else_if_for_elsif() || at_misspelt_elsif()) {
             clauses.add(parse_elsif_clause());
+        } else if (at(TokenKind::kw_else)) {
+            node->else_list = parse_else_list();
+            break;
         } else {
-            advance();
-            node->else_list = parse_statement_list("after ELSE");
+            break;
         }
     }
     node->elsif_clauses = clauses.finish();
     close_block(";");
     return finish(node);
+}
+
+// [ "ELSE" statement_list ]
+const ast::StatementList* Parser::parse_else_list() {
+    advance();
+    open_.back().in_else = true;
+    if (at(TokenKind::colon)) {
+        report_unexpected("a statement").remove(token().range());
+        advance();
+    }
+    return parse_statement_list("after ELSE");
+}
+
+/// The word that opens a statement. When it is missing, as another word or a closing word has told,
+/// it is reported, and the statement begins where it ought to stand.
+void Parser::open_statement(TokenKind opener, TokenKind closer) {
+    const std::uint32_t first = at_;
+    if (!accept(opener)) {
+        const std::string word(spelling(opener));
+        const std::uint32_t offset = token().offset();
+        report(DiagnosticId::missing_token, {offset, offset}, {"`" + word + "`"})
+            .insert(offset, word + " ");
+        ++unclosed(closer);
+    }
+    open_block(closer, first);
+}
+
+/// At the head of a statement that lacks its first word, when a closing word waits for it: that
+/// word; else end_of_unit.
+TokenKind Parser::missing_opener() {
+    struct Head {
+        TokenKind opener, word, closer;
+    };
+    static constexpr Head heads[] = {
+        {TokenKind::kw_if, TokenKind::kw_then, TokenKind::kw_end_if},
+        {TokenKind::kw_case, TokenKind::kw_of, TokenKind::kw_end_case},
+        {TokenKind::kw_for, TokenKind::kw_to, TokenKind::kw_end_for},
+        {TokenKind::kw_while, TokenKind::kw_do, TokenKind::kw_end_while},
+    };
+    for (const Head& head : heads)
+        if (unclosed(head.closer) < 0 && find_on_line(head.word) < count_)
+            return head.opener;
+    return TokenKind::end_of_unit;
 }
 
 // "ELSIF" expression "THEN" statement_list
@@ -346,6 +469,10 @@ const ast::ElsifClause* Parser::parse_elsif_clause() {
         report(DiagnosticId::else_if, both).replace(both, "ELSIF");
         --unclosed(TokenKind::kw_end_if);
         advance();
+    } else if (at(TokenKind::identifier)) {
+        const std::string meant(spelling(TokenKind::kw_elsif));
+        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
+            .replace(token().range(), meant);
     }
     advance();
     clause->condition = parse_condition();
@@ -396,16 +523,16 @@ bool Parser::followed_by_end_if_of(std::uint32_t end, std::uint32_t opener) cons
 //                  "END_CASE" ;
 const ast::Statement* Parser::parse_case_statement() {
     auto* node = make<ast::CaseStatement>();
-    open_block(TokenKind::kw_end_case, advance());
+    open_statement(TokenKind::kw_case, TokenKind::kw_end_case);
     node->selector = parse_condition();
     expect_word(TokenKind::kw_of);
     ListBuilder<ast::CaseElement> elements(*this);
     do
         elements.add(parse_case_element());
     while (at_case_label() || !at_end_of_statements());
-    if (accept(TokenKind::kw_else))
-        node->else_list = parse_statement_list("after ELSE");
     node->elements = elements.finish();
+    if (at(TokenKind::kw_else))
+        node->else_list = parse_else_list();
     close_block(";");
     return finish(node);
 }
@@ -423,13 +550,34 @@ bool Parser::at_case_label() const noexcept {
                        used_as_name(here);
     if (!value)
         return false;
-    const std::uint32_t after = next(label);
+    const bool name = here == TokenKind::identifier || used_as_name(here);
+    std::uint32_t after = next(label);
+    if (!name && tokens_[after].kind() == TokenKind::assign)
+        return true;
+    // An expression can stand for a label as an extension.
+    static constexpr TokenSet inside{TokenKind::identifier, TokenKind::integer, TokenKind::plus,
+                                     TokenKind::minus,      TokenKind::star,    TokenKind::slash,
+                                     TokenKind::power,      TokenKind::kw_mod,  TokenKind::kw_to,
+                                     TokenKind::dot};
+    while (inside.contains(tokens_[after].kind()) && !tokens_[after].first_on_line())
+        after = next(after);
     switch (tokens_[after].kind()) {
     case TokenKind::colon: return tokens_[next(after)].kind() != TokenKind::equal;
     case TokenKind::comma:
     case TokenKind::dot_dot: return true;
     default: return false;
     }
+}
+
+/// After ELSE the branches of a CASE are over. The label is passed over, what follows is read.
+const ast::Statement* Parser::parse_label_after_else() {
+    auto* error = make<ast::ErrorStatement>();
+    report_unexpected("a statement or `END_CASE`");
+    do
+        parse_case_label();
+    while (accept(TokenKind::comma));
+    accept(TokenKind::colon);
+    return finish(error);
 }
 
 // case_element = case_list ":" statement_list ;
@@ -443,7 +591,12 @@ const ast::CaseElement* Parser::parse_case_element() {
             labels.add(parse_case_label());
         while (accept(TokenKind::comma));
         element->labels = labels.finish();
-        expect(TokenKind::colon);
+        if (at(TokenKind::assign)) {
+            report_unexpected("`:`").replace(token().range(), ":");
+            advance();
+        } else {
+            expect(TokenKind::colon);
+        }
     } else {
         report_unexpected("a CASE label");
     }
@@ -459,7 +612,9 @@ const ast::Node* Parser::parse_case_label() {
         return parse_enumerated_value();
     const std::uint32_t first = at_;
     const ast::Expression* label = parse_constant_label();
-    if (!at(TokenKind::dot_dot))
+    if (at(TokenKind::kw_to))
+        report_unexpected("`..`").replace(token().range(), "..");
+    else if (!at(TokenKind::dot_dot))
         return label;
     auto* range = make<ast::Subrange>();
     range->first_token = first;
@@ -470,10 +625,26 @@ const ast::Node* Parser::parse_case_label() {
 }
 
 const ast::Expression* Parser::parse_constant_label() {
+    const bool apart = (at(TokenKind::minus) || at(TokenKind::plus)) &&
+                       peek() == TokenKind::integer && !adjoins_next();
+    const std::uint32_t sign = at_;
     const ast::Expression* label = parse_expression();
     if (label->missing || is_signed_integer(*label) ||
         label->kind == ast::NodeKind::error_expression)
         return label;
+    if (apart && label->end_token == next(sign) + 1) {
+        const TextRange gap{tokens_[sign].end(), tokens_[next(sign)].offset()};
+        report(DiagnosticId::sign_apart_from_number, gap).remove(gap);
+        return label;
+    }
+    if (const auto* qualified = ast::as<ast::StructuredVariable>(label)) {
+        const TextRange dot{
+            token_range(label->first_token, qualified->record_variable->end_token).end,
+            tokens_[label->end_token - 1].offset()};
+        report_node(*label, DiagnosticId::case_label, {"a value qualified by `.`"})
+            .replace(dot, "#");
+        return label;
+    }
     report_node(*label, DiagnosticId::case_label,
                 {label->kind == ast::NodeKind::variable_name ? "a named constant"
                  : ast::is<ast::Constant>(label->kind)       ? "a literal of this form"
@@ -488,7 +659,7 @@ const ast::Expression* Parser::parse_constant_label() {
 // for_list = expression "TO" expression [ "BY" expression ] ;
 const ast::Statement* Parser::parse_for_statement() {
     auto* node = make<ast::ForStatement>();
-    open_block(TokenKind::kw_end_for, advance());
+    open_statement(TokenKind::kw_for, TokenKind::kw_end_for);
     const bool variable = at(TokenKind::identifier) || at_operand_keyword() || used_as_name(kind());
     node->control_variable = variable                         ? parse_variable()
                              : at(TokenKind::direct_variable) ? parse_direct_variable()
@@ -496,22 +667,49 @@ const ast::Statement* Parser::parse_for_statement() {
     if (!node->control_variable->missing &&
         node->control_variable->kind != ast::NodeKind::variable_name)
         report_node(*node->control_variable, DiagnosticId::control_variable);
-    expect_assign();
-    node->from = parse_expression();
-    expect_word(TokenKind::kw_to);
-    node->to = parse_expression();
-    if (accept(TokenKind::kw_by))
-        node->by = parse_expression();
+    parse_for_list(*node);
     expect_word(TokenKind::kw_do);
     node->statements = parse_statement_list("after DO");
     close_block(";");
     return finish(node);
 }
 
+// ":=" expression "TO" expression [ "BY" expression ]
+void Parser::parse_for_list(ast::ForStatement& loop) {
+    if (at(TokenKind::kw_to)) {
+        report_missing(DiagnosticId::missing_token, {"`:=` with a first value"});
+        loop.from = make_missing<ast::ErrorExpression>();
+    } else {
+        expect_assign();
+        loop.from = parse_expression();
+    }
+    if (at(TokenKind::kw_do)) {
+        report_missing(DiagnosticId::missing_token, {"`TO` with a last value"});
+        loop.to = make_missing<ast::ErrorExpression>();
+        return;
+    }
+    if (at(TokenKind::kw_by) && find_on_line(TokenKind::kw_to) < count_) {
+        // The parts in the wrong order.
+        report_unexpected("`TO`");
+        auto* skipped = make<ast::ErrorExpression>();
+        advance();
+        parse_expression();
+        finish(skipped);
+        loop.to = skipped;
+        if (accept(TokenKind::kw_to))
+            loop.by = parse_expression();
+        return;
+    }
+    expect_word(TokenKind::kw_to);
+    loop.to = parse_expression();
+    if (accept(TokenKind::kw_by))
+        loop.by = parse_expression();
+}
+
 // while_statement = "WHILE" expression "DO" statement_list "END_WHILE" ;
 const ast::Statement* Parser::parse_while_statement() {
     auto* node = make<ast::WhileStatement>();
-    open_block(TokenKind::kw_end_while, advance());
+    open_statement(TokenKind::kw_while, TokenKind::kw_end_while);
     node->condition = parse_condition();
     expect_word(TokenKind::kw_do);
     node->statements = parse_statement_list("after DO");
@@ -524,17 +722,32 @@ const ast::Statement* Parser::parse_repeat_statement() {
     auto* node = make<ast::RepeatStatement>();
     open_block(TokenKind::kw_end_repeat, advance());
     node->statements = parse_statement_list("after REPEAT");
-    if (expect(TokenKind::kw_until)) {
+    if (accept(TokenKind::kw_until)) {
         node->condition = parse_condition();
         if (at(TokenKind::semicolon) && peek() == TokenKind::kw_end_repeat) {
             report_unexpected("`END_REPEAT`").remove(token().range());
             advance();
         }
     } else {
+        if (at(TokenKind::kw_end_repeat))
+            report_missing(DiagnosticId::missing_token, {"`UNTIL` with a condition"});
         node->condition = make_missing<ast::ErrorExpression>();
     }
     close_block(";");
     return finish(node);
+}
+
+/// A word like `THNE` at the end of the head of a statement.
+bool Parser::accept_misspelt_word(TokenKind word) {
+    const std::string meant(spelling(word));
+    if (!at(TokenKind::identifier) || token().first_on_line() ||
+        !(tokens_[next(at_)].first_on_line() || (meant.size() > 2 && !at_statement_start())) ||
+        !is_misspelling(text(at_), meant))
+        return false;
+    report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
+        .replace(token().range(), meant);
+    advance();
+    return true;
 }
 
 /// A word between the parts of a statement, or another such word in its place.
@@ -545,7 +758,13 @@ void Parser::expect_word(TokenKind word) {
         advance();
         return;
     }
-    if (expect(word))
+    if (at(TokenKind::semicolon) && peek() == word && !tokens_[next(at_)].first_on_line()) {
+        report_unexpected("`" + std::string(spelling(word)) + "`").remove(token().range());
+        advance();
+        accept(word);
+        return;
+    }
+    if (accept_misspelt_word(word) || expect(word))
         return;
     // What stands between here and the word on the same line was meant to be part of the head.
     std::uint32_t i = at_;
