@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace iecfront::test {
 namespace {
@@ -82,8 +83,8 @@ private:
             skip_blanks();
             if (!read_string(name) || has_member(value, name) || !accept(':'))
                 return false;
-            value.members.emplace_back(std::move(name), JsonValue());
-            if (!read_value(value.members.back().second))
+            value.members.push_back({std::move(name), {}});
+            if (!read_value(value.members.back().value))
                 return false;
         } while (accept(','));
         return accept('}');
@@ -91,7 +92,7 @@ private:
 
     [[nodiscard]] static bool has_member(const JsonValue& value, std::string_view name) {
         return std::any_of(value.members.begin(), value.members.end(),
-                           [&](const auto& member) { return member.first == name; });
+                           [&](const auto& member) { return member.name == name; });
     }
 
     [[nodiscard]] bool read_array(JsonValue& value) {
@@ -205,8 +206,8 @@ private:
 
 const JsonValue& JsonValue::operator[](std::string_view name) const {
     const auto found = std::find_if(members.begin(), members.end(),
-                                    [&](const auto& member) { return member.first == name; });
-    return found == members.end() ? nothing : found->second;
+                                    [&](const auto& member) { return member.name == name; });
+    return found == members.end() ? nothing : found->value;
 }
 
 const JsonValue& JsonValue::operator[](std::size_t index) const {

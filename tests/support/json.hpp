@@ -4,10 +4,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace iecfront::test {
+
+struct JsonMember;
 
 /// A JSON value, for looking at what the library and the command write.
 struct JsonValue {
@@ -16,7 +17,7 @@ struct JsonValue {
     Kind kind = Kind::null;
     std::string text; ///< of a string, decoded; of a number or Boolean as it is written
     std::vector<JsonValue> items;
-    std::vector<std::pair<std::string, JsonValue>> members; ///< in the order of the text
+    std::vector<JsonMember> members; ///< in the order of the text
 
     /// The member of that name; a null value when there is none.
     [[nodiscard]] const JsonValue& operator[](std::string_view name) const;
@@ -24,6 +25,12 @@ struct JsonValue {
     [[nodiscard]] const JsonValue& operator[](std::size_t index) const;
     /// The names of the members, with a blank between.
     [[nodiscard]] std::string names() const;
+};
+
+/// A member of an object.
+struct JsonMember {
+    std::string name;
+    JsonValue value;
 };
 
 /// Reads exactly one JSON value (RFC 8259) with white space around it. Strict: the text has to be
