@@ -80,20 +80,46 @@ bool Parser::is_signed_integer(const ast::Expression& expression) const noexcept
     return literal != nullptr && tokens_[literal->literal_token].kind() == TokenKind::integer;
 }
 
-/// Where the standard has a `signed_integer` only: anything else is an extension.
+/// True at `- 5` and at nothing longer, so that no expression can be meant.
+bool Parser::at_sign_apart_from_number() const noexcept {
+    static constexpr TokenSet after{TokenKind::dot_dot,       TokenKind::comma,
+                                    TokenKind::semicolon,     TokenKind::right_parenthesis,
+                                    TokenKind::right_bracket, TokenKind::end_of_unit};
+    return (at(TokenKind::minus) || at(TokenKind::plus)) && numbers.contains(peek()) &&
+           !adjoins_next() && after.contains(peek_second());
+}
+
+const ast::Expression* Parser::parse_constant_behind_gap() {
+    const TextRange gap{token().end(), tokens_[next(at_)].offset()};
+    report(DiagnosticId::sign_apart_from_number, gap).remove(gap);
+    return parse_constant();
+}
+
+/// True when an expression holds a fault that is reported: what else it is does not matter then.
+bool Parser::is_faulty(const ast::Expression& expression, std::size_t reports) const noexcept {
+    bool malformed = false;
+    for (std::uint32_t i = expression.first_token; i < expression.end_token; ++i)
+        malformed = malformed || tokens_[i].malformed();
+    return malformed || diagnostics_.size() != reports;
+}
+
+/// Where the standard has a `signed_integer` only: other numbers and expressions are an extension.
 const ast::Expression* Parser::parse_constant_expression(std::string what) {
-    const bool apart = (at(TokenKind::minus) || at(TokenKind::plus)) &&
-                       peek() == TokenKind::integer && !adjoins_next();
-    const std::uint32_t sign = at_;
+    if (at_sign_apart_from_number() && peek() == TokenKind::integer)
+        return parse_constant_behind_gap();
+    const std::uint32_t first = at_;
+    const std::size_t reports = diagnostics_.size();
     const ast::Expression* expression = parse_expression();
-    if (expression->missing || is_signed_integer(*expression))
+    if (expression->missing || is_signed_integer(*expression) ||
+        expression->kind == ast::NodeKind::error_expression || is_faulty(*expression, reports))
         return expression;
-    if (apart && expression->end_token == next(sign) + 1) {
-        const TextRange gap{tokens_[sign].end(), tokens_[next(sign)].offset()};
-        report(DiagnosticId::sign_apart_from_number, gap).remove(gap);
-    } else if (expression->kind != ast::NodeKind::error_expression) {
+    const bool other_constant = ast::is<ast::Constant>(expression->kind) &&
+                                expression->kind != ast::NodeKind::integer_literal &&
+                                expression->kind != ast::NodeKind::bit_string_literal;
+    if (other_constant)
+        report_node(*expression, DiagnosticId::unexpected_token, {"an integer", quoted(first)});
+    else
         report_node(*expression, DiagnosticId::constant_expression, {std::move(what)});
-    }
     return expression;
 }
 

@@ -251,6 +251,10 @@ private:
     [[nodiscard]] bool at_signed_number() const noexcept;
     [[nodiscard]] bool is_signed_integer(const ast::Expression& expression) const noexcept;
     const ast::Expression* parse_constant_expression(std::string what);
+    [[nodiscard]] bool at_sign_apart_from_number() const noexcept;
+    const ast::Expression* parse_constant_behind_gap();
+    [[nodiscard]] bool is_faulty(const ast::Expression& expression,
+                                 std::size_t reports) const noexcept;
     const ast::Expression* parse_integer(std::string what);
 
     // ---- types.cpp: B.1.3
@@ -261,6 +265,9 @@ private:
     void report_empty_block(std::uint32_t opener);
     void expect_colon();
     void expect_closing(TokenKind bracket);
+    Report accept_as(TokenKind meant);
+    std::optional<Report> accept_parenthesis_for_bracket();
+    void close_parenthesis_for_bracket(Report report);
     void check_element_type(const ast::TypeSpecification& type);
     const ast::TypeSpecification* parse_too_deep_type();
     const ast::Expression* as_enumerated_value(const ast::Expression& name);
@@ -269,6 +276,8 @@ private:
     const ast::TypeSpecification* parse_type_name();
     const ast::TypeSpecification* parse_elementary_type();
     const ast::TypeSpecification* parse_derived_type();
+    [[nodiscard]] bool at_pointer_type() const noexcept;
+    const ast::TypeSpecification* parse_pointer_type();
     const ast::TypeSpecification* parse_string_specification(const ast::Node* keyword);
     const ast::TypeSpecification* parse_subrange_specification(const ast::TypeSpecification* base);
     const ast::Subrange* parse_subrange();
@@ -280,6 +289,7 @@ private:
     const ast::TypeSpecification* parse_structure_declaration();
     const ast::Node* parse_structure_element_declaration();
     const ast::Expression* parse_optional_initial_value();
+    [[nodiscard]] TokenKind separator_in_parentheses() const noexcept;
     const ast::Expression* parse_initial_value();
     const ast::Expression* parse_enumerated_value();
     const ast::Expression* parse_array_initialization();
@@ -292,6 +302,7 @@ private:
     const ast::VariableDeclarations* parse_variable_declarations(Place place);
     [[nodiscard]] bool at_end_of_declarations();
     [[nodiscard]] bool at_declarations_without_opener();
+    [[nodiscard]] bool at_unknown_block() const noexcept;
     void check_block(const ast::VariableDeclarations& block, Place place);
     ast::BlockQualifier parse_block_qualifiers();
     void check_qualifier(const ast::VariableDeclarations& block, Place place);
@@ -307,6 +318,7 @@ private:
     void check_location(const ast::VariableDeclaration& declaration,
                         const ast::VariableDeclarations& block, Place place);
     void check_mixed(const ast::VariableDeclarations& block);
+    [[nodiscard]] bool is_incomplete(const ast::Location& location) const noexcept;
     ast::Edge parse_optional_edge(const ast::VariableDeclarations& block, Place place,
                                   const ast::TypeSpecification& type);
     const ast::Expression* parse_direct_variable();
@@ -351,6 +363,8 @@ private:
     const ast::Expression* parse_binary(unsigned minimum);
     const ast::Expression* parse_binary_rest(const ast::Expression* left, unsigned minimum);
     const ast::Expression* parse_unary();
+    [[nodiscard]] TokenKind split_operator() const noexcept;
+    void accept_split_operator(TokenKind meant);
     const ast::Expression* parse_primary();
     const ast::Expression* parse_parenthesized();
     const ast::Expression* parse_operator_call();
@@ -363,8 +377,6 @@ private:
     ast::List<ast::Node> parse_arguments();
     const ast::Node* parse_argument();
     void check_arguments(const ast::List<ast::Node>& arguments);
-    [[nodiscard]] TokenKind split_operator() const noexcept;
-    void accept_split_operator(TokenKind meant);
     const ast::Expression* parse_missing_expression();
     const ast::Expression* parse_too_deep_expression();
     const ast::Expression* check_function_call(const ast::Expression* operand);
@@ -384,6 +396,15 @@ private:
     [[nodiscard]] bool at_end_of_statements();
     [[nodiscard]] bool at_split_closer() const noexcept;
     void skip_stray_word();
+    [[nodiscard]] bool belongs_to_outer_if() noexcept;
+    [[nodiscard]] bool at_misspelt_elsif() const noexcept;
+    void open_statement(TokenKind opener, TokenKind closer);
+    [[nodiscard]] TokenKind missing_opener();
+    [[nodiscard]] std::uint32_t find_on_line(TokenKind word) const noexcept;
+    const ast::StatementList* parse_else_list();
+    const ast::Statement* parse_label_after_else();
+    void parse_for_list(ast::ForStatement& loop);
+    [[nodiscard]] bool accept_misspelt_word(TokenKind word);
     const ast::Statement* parse_statement();
     const ast::Statement* parse_misplaced_declarations();
     const ast::Statement* parse_too_deep_statement();
@@ -396,15 +417,6 @@ private:
                                                       std::size_t reports);
     const ast::Statement* parse_if_statement();
     const ast::ElsifClause* parse_elsif_clause();
-    [[nodiscard]] bool belongs_to_outer_if() noexcept;
-    [[nodiscard]] bool at_misspelt_elsif() const noexcept;
-    void open_statement(TokenKind opener, TokenKind closer);
-    [[nodiscard]] TokenKind missing_opener();
-    [[nodiscard]] std::uint32_t find_on_line(TokenKind word) const noexcept;
-    const ast::StatementList* parse_else_list();
-    const ast::Statement* parse_label_after_else();
-    void parse_for_list(ast::ForStatement& loop);
-    [[nodiscard]] bool accept_misspelt_word(TokenKind word);
     [[nodiscard]] bool at_else_if_for_elsif();
     const ast::Statement* parse_case_statement();
     const ast::CaseElement* parse_case_element();

@@ -102,7 +102,10 @@ ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place plac
     ListBuilder<ast::VariableDeclarations> blocks(*this);
     for (;;) {
         if (at(block_openers) || at_declarations_without_opener()) {
+            const std::uint32_t before = at_;
             blocks.add(parse_variable_declarations(place));
+            if (at_ == before) // what stands there only looked like a declaration
+                return blocks.finish();
         } else if (at(TokenKind::kw_end_var)) {
             // The block has ended already, or its opening word is missing.
             report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})

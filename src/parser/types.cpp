@@ -10,6 +10,12 @@ constexpr TokenSet integer_type_names = TokenSet::range(TokenKind::kw_sint, Toke
 
 constexpr TokenSet string_type_names{TokenKind::kw_string, TokenKind::kw_wstring};
 
+bool begins_type(TokenKind kind) noexcept {
+    static constexpr TokenSet starts{TokenKind::identifier, TokenKind::left_parenthesis,
+                                     TokenKind::kw_array, TokenKind::kw_struct};
+    return starts.contains(kind) || is_elementary_type_name(kind) || is_generic_type_name(kind);
+}
+
 } // namespace
 
 // ---- declarations -------------------------------------------------------------------------------
@@ -35,11 +41,13 @@ void Parser::report_empty_block(std::uint32_t opener) {
 /// Passes over what cannot begin a declaration, up to the next one.
 const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string what) {
     auto* error = make<ast::ErrorDeclaration>();
-    report_at(at_, DiagnosticId::not_a_declaration, {std::move(what), describe(at_)});
-    if (!at(TokenKind::semicolon)) {
-        advance();
-        skip_declaration();
+    if (at(TokenKind::semicolon)) {
+        accept_extra_semicolon();
+        return finish(error);
     }
+    report_at(at_, DiagnosticId::not_a_declaration, {std::move(what), describe(at_)});
+    advance();
+    skip_declaration();
     accept(TokenKind::semicolon);
     return finish(error);
 }
@@ -53,8 +61,13 @@ const ast::Node* Parser::parse_type_declaration() {
     node->name = parse_declared_name("the name of a data type");
     expect_colon();
     node->specification = parse_type_specification(StructureUse::named);
+    const std::uint32_t type_end = end_;
     node->initial_value = parse_optional_initial_value();
     finish(node);
+    if (node->specification->kind == ast::NodeKind::structure_declaration &&
+        node->initial_value != nullptr)
+        report_node(*node->initial_value, DiagnosticId::unexpected_initial_value, {"STRUCT"})
+            .remove({tokens_[type_end - 1].end(), tokens_[node->end_token - 1].end()});
     expect_semicolon_of_declaration();
     return node;
 }
@@ -62,12 +75,25 @@ const ast::Node* Parser::parse_type_declaration() {
 /// The `:` between a name and its type; `:=` and `=` are common slips for it.
 void Parser::expect_colon() {
     const bool slip = at(TokenKind::assign) || at(TokenKind::equal);
-    if (!slip) {
+    if (slip && begins_type(peek())) {
+        report_unexpected("`:`").replace(token().range(), ":");
+        advance();
+        return;
+    }
+    if (at(TokenKind::colon) || peek() == TokenKind::colon || begins_type(kind())) {
         expect(TokenKind::colon);
         return;
     }
-    report_unexpected("`:`").replace(token().range(), ":");
-    advance();
+    // Something that is no part of a name: nothing is read from it.
+    report_unexpected("`:`");
+    std::uint32_t colon = at_;
+    while (colon != count_ && tokens_[colon].kind() != TokenKind::colon &&
+           on_same_line(at_, colon) && tokens_[colon].kind() != TokenKind::semicolon &&
+           !is_keyword(tokens_[colon].kind()))
+        colon = next(colon);
+    if (tokens_[colon].kind() == TokenKind::colon && on_same_line(at_, colon))
+        skip_to({TokenKind::colon});
+    accept(TokenKind::colon);
 }
 
 // ---- specifications -----------------------------------------------------------------------------
@@ -105,11 +131,36 @@ const ast::TypeSpecification* Parser::parse_type_name() {
 }
 
 const ast::TypeSpecification* Parser::parse_derived_type() {
+    if (at_pointer_type())
+        return parse_pointer_type();
     const ast::TypeSpecification* name = parse_type_name();
     if (!at(TokenKind::left_parenthesis))
         return name;
+    if (peek() == TokenKind::right_parenthesis || peek_second() == TokenKind::assign) {
+        report_at(at_, DiagnosticId::instance_arguments);
+        parse_arguments();
+        return name;
+    }
     report_node(*name, DiagnosticId::subrange_of_derived_type, {quoted(name->first_token)});
     return parse_subrange_specification(name);
+}
+
+/// `POINTER TO`, `REFERENCE TO` and `REF_TO` of other dialects and later editions.
+bool Parser::at_pointer_type() const noexcept {
+    return at_word("REF_TO") ||
+           ((at_word("POINTER") || at_word("REFERENCE")) && peek() == TokenKind::kw_to);
+}
+
+const ast::TypeSpecification* Parser::parse_pointer_type() {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_type();
+    auto* node = make<ast::ErrorType>();
+    report_at(at_, DiagnosticId::pointer_type, {std::string(text(at_))});
+    advance();
+    accept(TokenKind::kw_to);
+    parse_type_specification();
+    return finish(node);
 }
 
 // elementary_type_name = numeric_type_name | date_type_name | bit_string_type_name
@@ -131,9 +182,11 @@ const ast::TypeSpecification* Parser::parse_elementary_type() {
         (after_name == TokenKind::comma || after_name == TokenKind::assign ||
          after_name == TokenKind::right_parenthesis))
         return parse_enumeration_of(node);
-    if (!integer_type_names.contains(type))
-        report_unexpected("`;`");
-    return parse_subrange_specification(node);
+    if (integer_type_names.contains(type))
+        return parse_subrange_specification(node);
+    report_unexpected("`;`");
+    skip_balanced();
+    return node;
 }
 
 // single_byte_string_spec = "STRING" [ "[" integer "]" ] [ ":=" single_byte_character_string ] ;
@@ -143,8 +196,13 @@ const ast::TypeSpecification* Parser::parse_string_specification(const ast::Node
     const bool parentheses = at(TokenKind::left_parenthesis);
     const std::uint32_t open = advance();
     node->length = parse_integer("the length of a string");
+    const TokenKind bracket = parentheses ? TokenKind::right_parenthesis : TokenKind::right_bracket;
+    if (at(TokenKind::dot_dot) || at(TokenKind::comma)) {
+        report_unexpected("`" + std::string(spelling(bracket)) + "`");
+        skip_to({bracket, TokenKind::semicolon});
+    }
     const std::uint32_t close = at_;
-    expect(parentheses ? TokenKind::right_parenthesis : TokenKind::right_bracket);
+    expect(bracket);
     finish(node);
     if (!parentheses)
         return node;
@@ -170,6 +228,15 @@ Parser::parse_subrange_specification(const ast::TypeSpecification* base) {
 // subrange = signed_integer ".." signed_integer ;
 const ast::Subrange* Parser::parse_subrange() {
     auto* node = make<ast::Subrange>();
+    const bool open =
+        at(TokenKind::star) && (peek() == TokenKind::right_bracket || peek() == TokenKind::comma);
+    if (open) { // `ARRAY [*]`
+        report_at(at_, DiagnosticId::subrange_needs_two_bounds);
+        advance();
+        node->lower = make_missing<ast::ErrorExpression>();
+        node->upper = make_missing<ast::ErrorExpression>();
+        return finish(node);
+    }
     node->lower = parse_constant_expression("a bound");
     node->first_token = node->lower->first_token;
     if (accept(TokenKind::dot_dot)) {
@@ -257,17 +324,50 @@ const ast::TypeSpecification* Parser::parse_array_specification() {
         return parse_too_deep_type();
     auto* node = make<ast::ArraySpecification>();
     advance();
-    expect(TokenKind::left_bracket);
+    const std::optional<Report> parentheses = accept_parenthesis_for_bracket();
+    if (!parentheses)
+        expect(TokenKind::left_bracket);
     ListBuilder<ast::Subrange> subranges(*this);
     do
         subranges.add(parse_subrange());
     while (accept(TokenKind::comma));
-    expect_closing(TokenKind::right_bracket);
+    if (parentheses)
+        close_parenthesis_for_bracket(*parentheses);
+    else if (at(TokenKind::right_parenthesis) && peek() == TokenKind::kw_of)
+        accept_as(TokenKind::right_bracket);
+    else
+        expect_closing(TokenKind::right_bracket);
     expect(TokenKind::kw_of);
     node->subranges = subranges.finish();
     node->element_type = parse_type_specification(StructureUse::named);
     check_element_type(*node->element_type);
     return finish(node);
+}
+
+/// Passes over the token at the cursor, which stands in the place of `meant`.
+Parser::Report Parser::accept_as(TokenKind meant) {
+    const std::string words(spelling(meant));
+    Report report =
+        report_at(at_, DiagnosticId::unexpected_token, {"`" + words + "`", describe(at_)});
+    report.replace(token().range(), words);
+    advance();
+    return report;
+}
+
+/// Passes over a `(` where a `[` belongs.
+std::optional<Parser::Report> Parser::accept_parenthesis_for_bracket() {
+    if (!at(TokenKind::left_parenthesis))
+        return std::nullopt;
+    return accept_as(TokenKind::left_bracket);
+}
+
+/// The `)` that goes with it; the fix has both.
+void Parser::close_parenthesis_for_bracket(Report report) {
+    const TextRange close = token().range();
+    const bool closed = at(TokenKind::right_parenthesis);
+    expect_closing(TokenKind::right_parenthesis);
+    if (closed && report)
+        diagnostics_[report.index()].fixes.front().edits.push_back({close, "]"});
 }
 
 /// An element type is a name (6.1 D15).
@@ -324,6 +424,10 @@ const ast::Node* Parser::parse_structure_element_declaration() {
     if (node->names.size() > 1)
         report(DiagnosticId::several_element_names,
                token_range(node->names[1]->first_token, node->names.back()->end_token));
+    if (const ast::Location* location = parse_optional_location())
+        report_node(*location, DiagnosticId::name_with_location, {"STRUCT"})
+            .remove(
+                {tokens_[location->first_token - 1].end(), tokens_[location->end_token - 1].end()});
     expect_colon();
     node->specification = parse_type_specification();
     node->initial_value = parse_optional_initial_value();
@@ -346,31 +450,53 @@ const ast::Expression* Parser::parse_optional_initial_value() {
 const ast::Expression* Parser::parse_initial_value() {
     if (at(TokenKind::left_bracket))
         return parse_array_initialization();
-    if (at(TokenKind::left_parenthesis) &&
-        (peek_second() == TokenKind::assign || peek() == TokenKind::assign))
-        return parse_structure_initialization();
+    if (at(TokenKind::left_parenthesis)) {
+        if (peek_second() == TokenKind::assign || peek() == TokenKind::assign ||
+            peek() == TokenKind::right_parenthesis)
+            return parse_structure_initialization();
+        const TokenKind separator = separator_in_parentheses();
+        if (separator == TokenKind::assign)
+            return parse_structure_initialization();
+        if (separator == TokenKind::comma)
+            return parse_array_initialization();
+    }
     static constexpr TokenSet after_value{TokenKind::semicolon, TokenKind::comma,
                                           TokenKind::right_parenthesis, TokenKind::right_bracket};
     const bool simple = at(TokenKind::identifier) && after_value.contains(peek());
     if (simple || at(TokenKind::enumerated_value))
         return parse_enumerated_value();
-    const std::uint32_t sign = at_;
-    const bool apart = (at(TokenKind::minus) || at(TokenKind::plus)) && !adjoins_next();
+    if (at_sign_apart_from_number())
+        return parse_constant_behind_gap();
+    const std::size_t reports = diagnostics_.size();
     const ast::Expression* value = parse_expression();
     if (value->missing || ast::is<ast::Constant>(value->kind) ||
         value->kind == ast::NodeKind::error_expression)
         return value;
     if (value->kind == ast::NodeKind::variable_name)
         return as_enumerated_value(*value);
-    const TokenKind number = tokens_[next(sign)].kind();
-    if (apart && value->end_token == next(sign) + 1 &&
-        (number == TokenKind::integer || number == TokenKind::real)) {
-        const TextRange gap{tokens_[sign].end(), tokens_[next(sign)].offset()};
-        report(DiagnosticId::sign_apart_from_number, gap).remove(gap);
-    } else {
+    if (!is_faulty(*value, reports))
         report_node(*value, DiagnosticId::constant_expression, {"an initial value"});
-    }
     return value;
+}
+
+/// `:=` or `,` when one stands directly inside the parentheses that begin here.
+TokenKind Parser::separator_in_parentheses() const noexcept {
+    TokenKind found = TokenKind::left_parenthesis;
+    std::uint32_t depth = 0;
+    for (std::uint32_t i = at_; i != count_; i = next(i)) {
+        const TokenKind here = tokens_[i].kind();
+        if (here == TokenKind::left_parenthesis || here == TokenKind::left_bracket)
+            ++depth;
+        else if (here == TokenKind::right_parenthesis || here == TokenKind::right_bracket)
+            --depth;
+        else if (here == TokenKind::assign && depth == 1)
+            return here;
+        else if (here == TokenKind::comma && depth == 1)
+            found = here;
+        if (depth == 0 || here == TokenKind::semicolon)
+            break;
+    }
+    return found;
 }
 
 /// A lone name where only a constant can stand.
@@ -394,22 +520,30 @@ const ast::Expression* Parser::parse_array_initialization() {
     if (guard.too_deep())
         return parse_too_deep_expression();
     auto* node = make<ast::ArrayInitialization>();
-    advance();
+    const std::optional<Report> parentheses = accept_parenthesis_for_bracket();
+    if (!parentheses)
+        advance();
     ListBuilder<ast::Expression> elements(*this);
     do
         elements.add(parse_array_initial_elements());
     while (accept(TokenKind::comma) || accept_missing_comma());
-    expect_closing(TokenKind::right_bracket);
+    if (parentheses)
+        close_parenthesis_for_bracket(*parentheses);
+    else
+        expect_closing(TokenKind::right_bracket);
     node->elements = elements.finish();
     return finish(node);
 }
 
 // array_initial_elements = array_initial_element | integer "(" [ array_initial_element ] ")" ;
 const ast::Expression* Parser::parse_array_initial_elements() {
-    if (!at(TokenKind::integer) || peek() != TokenKind::left_parenthesis)
+    const bool other_count = (at_signed_number() && peek_second() == TokenKind::left_parenthesis) ||
+                             ((at(TokenKind::based_integer) || at(TokenKind::typed_literal)) &&
+                              peek() == TokenKind::left_parenthesis);
+    if (!other_count && !(at(TokenKind::integer) && peek() == TokenKind::left_parenthesis))
         return parse_initial_value();
     auto* node = make<ast::ArrayInitialElements>();
-    node->count = parse_constant();
+    node->count = parse_integer("the count of a repetition");
     advance();
     ListBuilder<ast::Expression> elements(*this);
     if (!at(TokenKind::right_parenthesis)) {
@@ -454,7 +588,14 @@ const ast::Expression* Parser::parse_structure_initialization() {
 const ast::StructureElementInitialization* Parser::parse_structure_element_initialization() {
     auto* node = make<ast::StructureElementInitialization>();
     node->name = parse_name("the name of a structure element");
-    expect_assign();
+    if (at(TokenKind::dot) || at(TokenKind::left_bracket)) {
+        report_unexpected("`:=`");
+        skip_to({TokenKind::assign, TokenKind::comma, TokenKind::right_parenthesis,
+                 TokenKind::semicolon});
+        accept(TokenKind::assign);
+    } else {
+        expect_assign();
+    }
     node->value = parse_initial_value();
     return finish(node);
 }

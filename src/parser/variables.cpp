@@ -63,8 +63,19 @@ bool Parser::at_end_of_declarations() {
            unclosed(TokenKind::kw_end_var) > 0 && !is_elementary_type_name(peek_second());
 }
 
+/// At `VAR_STAT` and its like: a word of other dialects that opens a block.
+bool Parser::at_unknown_block() const noexcept {
+    constexpr std::string_view prefix = "VAR_";
+    return at(TokenKind::identifier) && names_equal(text(at_).substr(0, prefix.size()), prefix) &&
+           peek() != TokenKind::assign && peek() != TokenKind::colon;
+}
+
 /// True at declarations whose opening word is missing: an END_VAR closes nothing otherwise.
 bool Parser::at_declarations_without_opener() {
+    static constexpr TokenSet qualifiers{TokenKind::kw_constant, TokenKind::kw_retain,
+                                         TokenKind::kw_non_retain};
+    if ((at(qualifiers) || at_unknown_block()) && unclosed(TokenKind::kw_end_var) < 0)
+        return true;
     return (at_declaration_start() || (at(TokenKind::identifier) && peek() == TokenKind::comma)) &&
            peek_second() != TokenKind::equal && unclosed(TokenKind::kw_end_var) < 0;
 }
@@ -90,9 +101,16 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
                           ? VariableBlock::var_global
                           : VariableBlock::var;
         const std::string word(spelling(opener_of(*node)));
-        report_missing(DiagnosticId::missing_token, {"`" + word + "`"})
-            .insert(token().offset(), word + " ");
         ++unclosed(TokenKind::kw_end_var);
+        if (at_unknown_block()) {
+            report_at(at_, DiagnosticId::unknown_block, {std::string(text(at_))})
+                .replace(token().range(), word);
+            advance();
+        } else {
+            report_missing(DiagnosticId::missing_token, {"`" + word + "`"})
+                .insert(token().offset(), word + " ");
+        }
+        node->qualifier = parse_block_qualifiers();
     }
     ListBuilder<ast::Node> declarations(*this);
     while (!at_end_of_declarations())
@@ -219,17 +237,24 @@ const ast::Identifier* Parser::parse_variable_name(const ast::VariableDeclaratio
 // location = "AT" direct_variable ;
 // incompl_location = "AT" "%" ( "I" | "Q" | "M" ) "*" ;
 const ast::Location* Parser::parse_optional_location() {
-    if (!at(TokenKind::kw_at))
+    const bool located = at(TokenKind::direct_variable) || at(TokenKind::incomplete_location);
+    if (!at(TokenKind::kw_at) && !located)
         return nullptr;
     auto* node = make<ast::Location>();
-    advance();
+    if (located)
+        report_missing(DiagnosticId::missing_token, {"`AT`"}).insert(token().offset(), "AT ");
+    else
+        advance();
     if (at(TokenKind::direct_variable) || at(TokenKind::incomplete_location)) {
         node->variable = parse_direct_variable();
+        return finish(node);
+    }
+    report_unexpected("a directly represented variable");
+    if (at(TokenKind::colon) || at(ends_of_declarations) || at(TokenKind::semicolon)) {
+        node->variable = make_missing<ast::ErrorExpression>();
     } else {
-        report_unexpected("a directly represented variable");
         auto* error = make<ast::ErrorExpression>();
-        if (!at(TokenKind::colon) && !at(ends_of_declarations) && !at(TokenKind::semicolon))
-            advance();
+        advance();
         node->variable = finish(error);
     }
     return finish(node);
@@ -265,9 +290,7 @@ void Parser::check_declaration(const ast::VariableDeclaration& declaration,
     const bool no_value = block.block == VariableBlock::var_in_out ||
                           block.block == VariableBlock::var_temp ||
                           block.block == VariableBlock::var_external;
-    const bool incomplete =
-        declaration.location != nullptr &&
-        tokens_[declaration.location->end_token - 1].kind() == TokenKind::incomplete_location;
+    const bool incomplete = declaration.location != nullptr && is_incomplete(*declaration.location);
     if (declaration.initial_value != nullptr && (no_value || incomplete)) {
         const std::uint32_t end = declaration.specification->end_token;
         report_node(*declaration.initial_value, DiagnosticId::unexpected_initial_value,
@@ -281,13 +304,16 @@ void Parser::check_declaration(const ast::VariableDeclaration& declaration,
         check_location(declaration, block, place);
 }
 
+bool Parser::is_incomplete(const ast::Location& location) const noexcept {
+    return tokens_[location.end_token - 1].kind() == TokenKind::incomplete_location;
+}
+
 /// Where a location can stand: in VAR of a program and in VAR_GLOBAL; `%I*` in VAR of a program or
 /// function block (2.4.1.1, 2.4.3.1).
 void Parser::check_location(const ast::VariableDeclaration& declaration,
                             const ast::VariableDeclarations& block, Place place) {
     const ast::Location& location = *declaration.location;
-    const bool incomplete =
-        tokens_[location.end_token - 1].kind() == TokenKind::incomplete_location;
+    const bool incomplete = is_incomplete(location);
     const bool var = block.block == VariableBlock::var;
     const bool global = block.block == VariableBlock::var_global;
     if (!var && !global)
@@ -297,6 +323,9 @@ void Parser::check_location(const ast::VariableDeclaration& declaration,
         report_node(location, DiagnosticId::incomplete_location);
     else if (incomplete && declaration.names.empty())
         report_node(location, DiagnosticId::location_needs_name);
+    else if (incomplete && block.qualifier == BlockQualifier::constant)
+        report_node(location, DiagnosticId::qualifier_of_block,
+                    {"CONSTANT", "AT " + std::string(text(location.end_token - 1))});
     else if (!incomplete && var && place == Place::function)
         report_node(location, DiagnosticId::location_of_this_unit, {"function"});
     else if (!incomplete && var && place == Place::function_block)
@@ -313,14 +342,14 @@ void Parser::check_mixed(const ast::VariableDeclarations& block) {
     const auto form = [this](const ast::VariableDeclaration& declaration) -> std::string_view {
         if (declaration.location == nullptr)
             return "plain";
-        const std::uint32_t last = declaration.location->end_token - 1;
-        return tokens_[last].kind() == TokenKind::incomplete_location ? "incompletely located"
-                                                                      : "located";
+        return is_incomplete(*declaration.location) ? "incompletely located" : "located";
     };
     const ast::VariableDeclaration* first = nullptr;
     for (const ast::Node* node : block.declarations) {
         const auto* declaration = ast::as<ast::VariableDeclaration>(node);
-        if (declaration == nullptr)
+        if (declaration == nullptr ||
+            (declaration->location != nullptr &&
+             declaration->location->variable->kind == ast::NodeKind::error_expression))
             continue;
         if (first == nullptr)
             first = declaration;
