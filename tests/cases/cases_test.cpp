@@ -1,5 +1,6 @@
 #include "support/case_file.hpp"
 #include "support/case_outcome.hpp"
+#include "support/invariants.hpp"
 #include "support/line_diff.hpp"
 
 #include <iecfront/diagnostics/severity.hpp>
@@ -33,6 +34,7 @@ public:
         if (!updating())
             check_sections(outcome);
         check_fixes(outcome);
+        expect_invariants(source_text_of(case_), options_of(case_));
     }
 
 private:
