@@ -317,7 +317,7 @@ const ast::Expression* Parser::parse_variable() {
 
 // variable_name = identifier ;
 const ast::Expression* Parser::parse_variable_name() {
-    if (!at(TokenKind::identifier) && !at(execution_control))
+    if (!at(TokenKind::identifier) && (!at(execution_control) || used_as_name(kind())))
         report_reserved_word(at_);
     auto* name = make<ast::VariableName>();
     name->hash = hash_name(text(at_));

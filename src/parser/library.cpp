@@ -1,6 +1,8 @@
 #include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
+#include <iecfront/lexer/name.hpp>
+
 namespace iecfront {
 namespace {
 
@@ -40,7 +42,10 @@ const ast::LibraryUnit* Parser::parse_library_unit() {
 const ast::Node* Parser::parse_library_element() {
     switch (library_element_opener()) {
     case TokenKind::kw_type: return parse_data_type_declaration();
-    case TokenKind::kw_function: return parse_function_declaration();
+    case TokenKind::kw_function:
+        return accept_split_opener()
+                   ? static_cast<const ast::Node*>(parse_function_block_declaration())
+                   : parse_function_declaration();
     case TokenKind::kw_function_block: return parse_function_block_declaration();
     case TokenKind::kw_program: return parse_program_declaration();
     case TokenKind::kw_configuration: return parse_configuration_declaration();
@@ -62,6 +67,22 @@ TokenKind Parser::library_element_opener() const noexcept {
         if (is_misspelling(text(at_), spelling(opener)))
             return opener;
     return TokenKind::end_of_unit;
+}
+
+/// `FUNCTION BLOCK name`: passes over the first word.
+bool Parser::accept_split_opener() {
+    const std::uint32_t second = next(at_);
+    const std::uint32_t name = next(second);
+    if (!names_equal(text(second), "BLOCK") || tokens_[name].kind() != TokenKind::identifier ||
+        !on_same_line(at_, name))
+        return false;
+    const TextRange words = token_range(at_, second + 1);
+    const std::string meant(spelling(TokenKind::kw_function_block));
+    report(DiagnosticId::misspelt_word, words,
+           {std::string(text_.substr(words.begin, words.size())), meant})
+        .replace(words, meant);
+    advance();
+    return true;
 }
 
 /// Passes over what is outside every declaration. It is reported once.

@@ -328,6 +328,7 @@ private:
     const ast::FunctionBlockDeclaration* parse_function_block_declaration();
     const ast::ProgramDeclaration* parse_program_declaration();
     ast::List<ast::VariableDeclarations> parse_declaration_blocks(Place place);
+    const ast::Identifier* parse_unit_name(std::string what);
     const ast::TypeSpecification* parse_result_type();
     void skip_rest_of_head();
     const ast::Body* parse_body();
@@ -435,6 +436,7 @@ private:
 
     // ---- library.cpp
     const ast::Node* parse_library_element();
+    bool accept_split_opener();
     void skip_stray_text(ListBuilder<ast::Node>& elements);
     [[nodiscard]] TokenKind library_element_opener() const noexcept;
     [[nodiscard]] bool at_library_element_closer() const noexcept;

@@ -1,5 +1,7 @@
 #include "parser/parser.hpp"
 
+#include <utility>
+
 namespace iecfront {
 namespace {
 
@@ -20,13 +22,20 @@ const ast::FunctionDeclaration* Parser::parse_function_declaration() {
     auto* node = make<ast::FunctionDeclaration>();
     place_ = Place::function;
     open_block(TokenKind::kw_end_function, advance());
-    node->name = parse_declared_name("the name of a function");
+    node->name = parse_unit_name("the name of a function");
     node->result_type = parse_result_type();
     skip_rest_of_head();
     node->declarations = parse_declaration_blocks(place_);
     node->body = parse_body();
     close_block("");
     return finish(node);
+}
+
+/// The name may stand on the next line, but what begins a statement there is none.
+const ast::Identifier* Parser::parse_unit_name(std::string what) {
+    if (token().first_on_line() && at_statement_start())
+        return make_missing_identifier(std::move(what));
+    return parse_declared_name(std::move(what));
 }
 
 // ":" ( elementary_type_name | derived_type_name )
@@ -72,7 +81,7 @@ const ast::FunctionBlockDeclaration* Parser::parse_function_block_declaration() 
     auto* node = make<ast::FunctionBlockDeclaration>();
     place_ = Place::function_block;
     open_block(TokenKind::kw_end_function_block, advance());
-    node->name = parse_declared_name("the name of a function block type");
+    node->name = parse_unit_name("the name of a function block type");
     skip_rest_of_head();
     node->declarations = parse_declaration_blocks(place_);
     node->body = parse_body();
@@ -90,7 +99,7 @@ const ast::ProgramDeclaration* Parser::parse_program_declaration() {
     auto* node = make<ast::ProgramDeclaration>();
     place_ = Place::program;
     open_block(TokenKind::kw_end_program, advance());
-    node->name = parse_declared_name("the name of a program type");
+    node->name = parse_unit_name("the name of a program type");
     skip_rest_of_head();
     node->declarations = parse_declaration_blocks(place_);
     node->body = parse_body();

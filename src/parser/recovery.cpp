@@ -136,6 +136,13 @@ bool Parser::at_mismatched_closer() const noexcept {
 void Parser::report_missing_closer(std::string_view terminator) {
     const OpenBlock& block = open_.back();
     const std::string closer(spelling(block.closer));
+    // Each block that ends here is reported, the innermost first.
+    if (reported_at_ == at_ && !diagnostics_.empty() &&
+        (diagnostics_.back().id == DiagnosticId::missing_closing_word ||
+         diagnostics_.back().id == DiagnosticId::empty_statement_list))
+        reported_at_.reset();
+    if (at(TokenKind::semicolon))
+        terminator = "";
     report_missing(DiagnosticId::missing_closing_word, {closer, std::string(text(block.opener))})
         .label(LabelId::opened_here, block.opener)
         .insert(previous_end(), "\n" + closer + std::string(terminator));
@@ -167,8 +174,9 @@ void Parser::close_block(std::string_view terminator) {
                   {std::string(text(at_)), std::string(text(block.opener)), closer})
             .label(LabelId::opened_here, block.opener)
             .replace(token().range(), closer);
-        advance();
         --unclosed(block.closer);
+        ++unclosed(kind());
+        advance();
     } else {
         report_missing_closer(terminator);
     }

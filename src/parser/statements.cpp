@@ -385,7 +385,8 @@ const ast::Statement* Parser::finish_expression_statement(const ast::Expression*
     auto* node = make_from<ast::ExpressionStatement>(expression);
     node->expression = expression;
     finish(node);
-    if (diagnostics_.size() == reports && reported_at_ != at_)
+    if (diagnostics_.size() == reports && reported_at_ != at_ &&
+        !tokens_[expression->first_token].malformed())
         report_node(*expression, DiagnosticId::expression_statement);
     return node;
 }
@@ -734,6 +735,10 @@ const ast::Statement* Parser::parse_repeat_statement() {
         node->condition = make_missing<ast::ErrorExpression>();
     }
     close_block(";");
+    const bool missing = closer_assumed_ && !diagnostics_.empty() &&
+                         diagnostics_.back().id == DiagnosticId::missing_closing_word;
+    if (missing && node->condition->missing)
+        diagnostics_.back().fixes.clear(); // there is no condition to insert
     return finish(node);
 }
 
