@@ -206,7 +206,9 @@ void Parser::accept_split_operator(TokenKind meant) {
         advance();
 }
 
-// unary_expression = [ unary_operator ] primary_expression ;
+// unary_expression = [ unary_operator ] primary_expression
+//                  | "NOT" "(" ( variable_name | "EN" | "ENO" )
+//                    ( ":=" expression | "=>" variable ) { "," param_assignment } ")" ;
 const ast::Expression* Parser::parse_unary() {
     if (at_signed_number())
         return parse_constant();
@@ -235,7 +237,7 @@ const ast::Expression* Parser::parse_unary() {
 }
 
 // primary_expression = constant | enumerated_value | variable | "(" expression ")"
-//                    | function_name "(" param_assignment { "," param_assignment } ")" ;
+//                    | function_name "(" param_list ")" ;
 const ast::Expression* Parser::parse_primary() {
     switch (kind()) {
     case TokenKind::identifier: return check_function_call(parse_variable());
@@ -309,7 +311,7 @@ bool Parser::formal_list_follows() const noexcept {
            (after == TokenKind::assign || after == TokenKind::output_arrow);
 }
 
-// variable = direct_variable | symbolic_variable ;
+// variable = direct_variable | symbolic_variable | "EN" | "ENO" ;
 // symbolic_variable = variable_name | multi_element_variable ;
 const ast::Expression* Parser::parse_variable() {
     return parse_selectors(parse_variable_name());
@@ -383,7 +385,7 @@ const ast::Expression* Parser::parse_call(const ast::Expression* callee) {
     return finish(node);
 }
 
-// "(" [ param_assignment { "," param_assignment } ] ")"
+// param_list = expression { "," expression } | param_assignment { "," param_assignment } ;
 ast::List<ast::Node> Parser::parse_arguments() {
     const bool outer = std::exchange(in_condition_, false);
     const std::size_t reports = diagnostics_.size();
@@ -450,8 +452,8 @@ bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
     return false;
 }
 
-// param_assignment = ( [ variable_name ":=" ] expression )
-//                  | ( [ "NOT" ] variable_name "=>" variable ) ;
+// param_assignment = ( variable_name | "EN" | "ENO" ) ":=" expression
+//                  | [ "NOT" ] ( variable_name | "EN" | "ENO" ) "=>" variable ;
 const ast::Node* Parser::parse_argument() {
     const bool negated = at(TokenKind::kw_not) && peek_second() == TokenKind::output_arrow;
     if (negated || peek() == TokenKind::output_arrow) {

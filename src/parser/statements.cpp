@@ -358,7 +358,7 @@ void Parser::expect_assign() {
     reported_at_ = first; // what follows is reported on its own
 }
 
-// fb_invocation = fb_name "(" [ param_assignment { "," param_assignment } ] ")" ;
+// fb_invocation = fb_name "(" [ param_list ] ")" ;
 const ast::Statement* Parser::make_invocation(const ast::FunctionCall& call) {
     auto* node = make_from<ast::FbInvocation>(&call);
     node->fb_name = call.function;

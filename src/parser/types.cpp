@@ -411,7 +411,7 @@ const ast::TypeSpecification* Parser::parse_structure_declaration() {
 
 // structure_element_declaration = structure_element_name ":"
 //     ( simple_spec_init | subrange_spec_init | enumerated_spec_init | array_spec_init
-//     | initialized_structure ) ;
+//     | initialized_structure | single_byte_string_spec | double_byte_string_spec ) ;
 const ast::Node* Parser::parse_structure_element_declaration() {
     if (!at(TokenKind::identifier) && !at_declaration_start())
         return parse_error_declaration("the declaration of a structure element");

@@ -235,7 +235,7 @@ const ast::Identifier* Parser::parse_variable_name(const ast::VariableDeclaratio
 }
 
 // location = "AT" direct_variable ;
-// incompl_location = "AT" "%" ( "I" | "Q" | "M" ) "*" ;
+// incompl_location = "AT" ( "%I*" | "%Q*" | "%M*" ) ;
 const ast::Location* Parser::parse_optional_location() {
     const bool located = at(TokenKind::direct_variable) || at(TokenKind::incomplete_location);
     if (!at(TokenKind::kw_at) && !located)
