@@ -1,8 +1,11 @@
+#include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/name.hpp>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace iecfront {
 namespace {
@@ -37,6 +40,8 @@ std::optional<Part> part_of(const ast::Node& node) noexcept {
     }
 }
 
+constexpr std::array<std::string_view, 3> task_words{"SINGLE", "INTERVAL", "PRIORITY"};
+
 std::string part_name(Part part) {
     return std::string(part_names[static_cast<std::size_t>(part)]);
 }
@@ -59,8 +64,8 @@ const ast::ConfigurationDeclaration* Parser::parse_configuration_declaration() {
     node->name = parse_declared_name("the name of a configuration");
     accept_extra_semicolon();
     node->elements = parse_configuration_elements(place_);
-    check_configuration_order(node->elements, node->first_token, place_);
     close_block("");
+    check_configuration_order(node->elements, node->first_token, place_);
     return finish(node);
 }
 
@@ -72,12 +77,18 @@ const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
     auto* node = make<ast::ResourceDeclaration>();
     open_block(TokenKind::kw_end_resource, advance());
     node->name = parse_declared_name("the name of a resource");
-    expect(TokenKind::kw_on);
-    node->type = parse_name("the name of a resource type");
+    if (!at(TokenKind::kw_on) && at(element_words)) {
+        report_missing(DiagnosticId::missing_token, {"`ON` with a resource type"});
+        node->type = make_missing<ast::Identifier>();
+    } else {
+        expect(TokenKind::kw_on);
+        node->type = at(element_words) ? make_missing_identifier("the name of a resource type")
+                                       : parse_name("the name of a resource type");
+    }
     accept_extra_semicolon();
     node->elements = parse_configuration_elements(Place::resource);
-    check_configuration_order(node->elements, node->first_token, Place::resource);
     close_block("");
+    check_configuration_order(node->elements, node->first_token, Place::resource);
     finish(node);
     accept_extra_semicolon();
     return node;
@@ -87,14 +98,22 @@ const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
 //                               program_configuration ";" { program_configuration ";" } ;
 ast::List<ast::Node> Parser::parse_configuration_elements(Place place) {
     ListBuilder<ast::Node> elements(*this);
-    while (!at(TokenKind::end_of_unit) && !at(TokenKind::kw_end_configuration) &&
-           !(at(TokenKind::kw_end_resource) && is_open(TokenKind::kw_end_resource)) &&
-           !(at(TokenKind::kw_resource) && place == Place::resource) &&
-           !(place == Place::resource &&
-             (at(TokenKind::kw_var_access) || at(TokenKind::kw_var_config))) &&
-           !at_library_element_closer() && !at_misspelt_closer())
+    while (!at_end_of_configuration_elements(place))
         add_in_loop(elements, [&] { return parse_configuration_element(place); });
     return elements.finish();
+}
+
+bool Parser::at_end_of_configuration_elements(Place place) {
+    if (at(TokenKind::end_of_unit) || at_library_element_closer() || at_misspelt_closer())
+        return true;
+    if (at(TokenKind::kw_end_resource)) // it can stand for END_CONFIGURATION at the very end
+        return place == Place::resource ||
+               (unclosed(TokenKind::kw_end_configuration) > 0 && peek() == TokenKind::end_of_unit);
+    if (place != Place::resource)
+        return false;
+    return at(TokenKind::kw_resource) ||
+           ((at(TokenKind::kw_var_access) || at(TokenKind::kw_var_config)) &&
+            unclosed(TokenKind::kw_end_resource) > 0);
 }
 
 const ast::Node* Parser::parse_configuration_element(Place place) {
@@ -115,6 +134,12 @@ const ast::Node* Parser::parse_configuration_element(Place place) {
     default: break;
     }
     auto* skipped = make<ast::SkippedText>();
+    if (at(TokenKind::kw_end_resource)) {
+        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
+            .remove(token().range());
+        advance();
+        return finish(skipped);
+    }
     report_at(at_, DiagnosticId::not_a_declaration,
               {"RESOURCE, TASK, PROGRAM or a declaration block", describe(at_)});
     advance();
@@ -137,10 +162,12 @@ void Parser::expect_semicolon_of_configuration() {
 }
 
 /// The order of the parts, that there is a program, and that resources and the contents of a single
-/// one do not stand side by side.
+/// one do not stand side by side. When the closing word is missing, parts may be missing with it.
 void Parser::check_configuration_order(const ast::List<ast::Node>& elements, std::uint32_t head,
                                        Place place) {
+    const bool unclosed = std::exchange(closer_assumed_, false);
     std::optional<Part> last;
+    std::array<const ast::Node*, part_names.size()> first{};
     bool resources = false;
     bool programs = false;
     bool skipped = false;
@@ -155,11 +182,17 @@ void Parser::check_configuration_order(const ast::List<ast::Node>& elements, std
         else if (last && *part < *last)
             report_at(element->first_token, DiagnosticId::configuration_order,
                       {part_name(*part), part_name(*last)});
+        const ast::Node*& before = first[static_cast<std::size_t>(*part)];
+        if (before != nullptr && (*part == Part::access || *part == Part::config))
+            report_at(element->first_token, DiagnosticId::repeated_part, {part_name(*part)})
+                .label(LabelId::first_given, before->first_token);
+        else if (before == nullptr)
+            before = element;
         resources = resources || *part == Part::resource;
         programs = programs || *part == Part::program;
         last = part;
     }
-    if (resources || programs || skipped)
+    if (resources || programs || skipped || unclosed)
         return;
     report(DiagnosticId::configuration_without_program, tokens_[head].range(),
            {place == Place::resource ? "a resource" : "a configuration",
@@ -175,7 +208,7 @@ const ast::TaskConfiguration* Parser::parse_task_configuration() {
     auto* node = make<ast::TaskConfiguration>();
     advance();
     node->name = parse_declared_name("the name of a task");
-    if (expect(TokenKind::left_parenthesis)) {
+    if (!at(TokenKind::semicolon) && expect(TokenKind::left_parenthesis)) {
         ListBuilder<ast::TaskInitialization> initializations(*this);
         if (!at(TokenKind::right_parenthesis)) {
             do
@@ -184,17 +217,32 @@ const ast::TaskConfiguration* Parser::parse_task_configuration() {
         }
         expect_closing(TokenKind::right_parenthesis);
         node->initializations = initializations.finish();
-        finish(node);
-        check_task(*node);
     }
-    return finish(node);
+    finish(node);
+    check_task(*node);
+    return node;
+}
+
+/// Which of the words of a task stands at a token, also misspelt; their number when none does.
+std::size_t Parser::task_word(std::uint32_t token) const noexcept {
+    std::size_t index = 0;
+    while (index < task_words.size() && (tokens_[token].kind() != TokenKind::identifier ||
+                                         !is_misspelling(text(token), task_words[index])))
+        ++index;
+    return index;
 }
 
 const ast::TaskInitialization* Parser::parse_task_initialization() {
     auto* node = make<ast::TaskInitialization>();
-    const bool priority = at_word("PRIORITY");
-    if (!priority && !at_word("SINGLE") && !at_word("INTERVAL"))
+    const std::size_t word = task_word(at_);
+    const bool priority = word == task_words.size() - 1;
+    if (word == task_words.size()) {
         report_unexpected("SINGLE, INTERVAL or PRIORITY");
+    } else if (!at_word(task_words[word])) {
+        const std::string meant(task_words[word]);
+        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
+            .replace(token().range(), meant);
+    }
     node->name = parse_name("SINGLE, INTERVAL or PRIORITY");
     expect_assign();
     node->value = priority ? parse_integer("a priority") : parse_data_source("a source");
@@ -202,22 +250,27 @@ const ast::TaskInitialization* Parser::parse_task_initialization() {
 }
 
 void Parser::check_task(const ast::TaskConfiguration& task) {
-    static constexpr std::array<std::string_view, 3> order{"SINGLE", "INTERVAL", "PRIORITY"};
+    std::array<const ast::TaskInitialization*, task_words.size()> parts{};
     std::size_t expected = 0;
     bool known = true;
     bool priority = false;
     for (const ast::TaskInitialization* part : task.initializations) {
         if (part->name->missing)
             return;
-        std::size_t index = 0;
-        while (index < order.size() && !names_equal(text(part->name->first_token), order[index]))
-            ++index;
-        known = known && index < order.size();
-        if (known && index < expected)
+        const std::size_t index = task_word(part->name->first_token);
+        known = known && index < task_words.size();
+        if (!known)
+            continue;
+        if (parts[index] != nullptr)
+            report_at(part->first_token, DiagnosticId::repeated_part,
+                      {std::string(task_words[index])})
+                .label(LabelId::first_given, parts[index]->first_token);
+        else if (index < expected)
             report_at(part->first_token, DiagnosticId::task_initialization_order,
-                      {std::string(order[index]), std::string(order[expected - 1])});
+                      {std::string(task_words[index]), std::string(task_words[expected - 1])});
+        parts[index] = part;
         expected = std::max(expected, index + 1);
-        priority = priority || index == 2;
+        priority = priority || index + 1 == task_words.size();
     }
     if (known && !priority)
         report(DiagnosticId::task_without_priority,
@@ -232,8 +285,14 @@ const ast::Expression* Parser::parse_data_source(std::string what) {
         return parse_direct_variable();
     if (at(TokenKind::enumerated_value))
         return parse_enumerated_value();
-    if (at(TokenKind::identifier))
-        return parse_reference(std::move(what), 3);
+    if (at(TokenKind::identifier)) {
+        const ast::Expression* reference = parse_reference(what, 3);
+        if (operator_strength(kind()) == 0)
+            return reference;
+        const ast::Expression* expression = parse_binary_rest(reference, 1);
+        report_node(*expression, DiagnosticId::long_reference, {"an expression", std::move(what)});
+        return expression;
+    }
     const ast::Expression* value = parse_expression();
     if (!value->missing && !ast::is<ast::Constant>(value->kind) &&
         value->kind != ast::NodeKind::error_expression)
@@ -356,8 +415,11 @@ void Parser::check_element_type_of_access(const ast::TypeSpecification& type) {
 // access_path = [ resource_name "." ] direct_variable
 //             | [ resource_name "." ] [ program_name "." ] { fb_name "." } symbolic_variable ;
 const ast::Expression* Parser::parse_access_path(Place place) {
-    if (at(TokenKind::direct_variable) && place != Place::program)
+    if (at(TokenKind::direct_variable)) {
+        if (place == Place::program)
+            report_unexpected("a variable of the program");
         return parse_direct_variable();
+    }
     if (!at(TokenKind::identifier) && !at_operand_keyword())
         return parse_missing_expression();
     const ast::Expression* head = parse_variable_name();

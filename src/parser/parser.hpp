@@ -342,6 +342,7 @@ private:
     const ast::ResourceDeclaration* parse_resource_declaration();
     ast::List<ast::Node> parse_configuration_elements(Place place);
     const ast::Node* parse_configuration_element(Place place);
+    [[nodiscard]] bool at_end_of_configuration_elements(Place place);
     void check_configuration_order(const ast::List<ast::Node>& elements, std::uint32_t head,
                                    Place place);
     void expect_semicolon_of_configuration();
@@ -350,6 +351,7 @@ private:
     [[nodiscard]] bool at_incomplete(const ast::Location& location) const noexcept;
     const ast::TaskConfiguration* parse_task_configuration();
     const ast::TaskInitialization* parse_task_initialization();
+    [[nodiscard]] std::size_t task_word(std::uint32_t token) const noexcept;
     void check_task(const ast::TaskConfiguration& task);
     const ast::ProgramConfiguration* parse_program_configuration();
     const ast::Node* parse_prog_conf_element();

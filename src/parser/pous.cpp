@@ -153,7 +153,7 @@ const ast::Body* Parser::parse_unexamined_body(ast::BodyLanguage language) {
     auto* body = make<ast::UnexaminedBody>();
     body->language = language;
     const std::uint32_t first = at_;
-    while (!at(library_element_closers))
+    while (!at(library_element_closers) && !at_misspelt_closer())
         advance();
     report(language == ast::BodyLanguage::instruction_list
                ? DiagnosticId::instruction_list_unexamined

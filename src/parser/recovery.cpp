@@ -121,6 +121,8 @@ bool Parser::at_mismatched_closer() const noexcept {
     if (open_.empty() || !at(closers))
         return false;
     const OpenBlock& inner = open_.back();
+    if (at(TokenKind::kw_end_resource) && inner.closer == TokenKind::kw_end_configuration)
+        return true;
     if (library_element_closers.contains(inner.closer) || library_element_closers.contains(kind()))
         return library_element_closers.contains(inner.closer) &&
                library_element_closers.contains(kind());

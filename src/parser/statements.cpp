@@ -224,7 +224,9 @@ const ast::Statement* Parser::parse_statement() {
                                                  TokenKind::kw_xor, TokenKind::kw_mod};
     const bool name = at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())) ||
                       (at(operator_functions) && peek() == TokenKind::left_parenthesis);
-    if (at_expression_start() || name)
+    const bool two_words = is_keyword(kind()) && peek() == TokenKind::identifier &&
+                           !tokens_[next(at_)].first_on_line();
+    if (at_expression_start() || (name && !two_words))
         return parse_simple_statement();
     if (at(part_words)) {
         auto* stray = make<ast::ErrorStatement>();
