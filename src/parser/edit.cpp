@@ -78,10 +78,8 @@ void truncate(LexedUnits& units, std::size_t cuts) {
     const std::uint32_t size = units.unit_end(cuts - 1);
     units.buffer = std::make_shared<const std::string>(*units.buffer, 0, size);
     units.cuts.resize(cuts);
-    auto& found = units.lexed.diagnostics;
-    found.erase(std::find_if(found.begin(), found.end(),
-                             [size](const Diagnostic& one) { return one.range.begin >= size; }),
-                found.end());
+    std::erase_if(units.lexed.diagnostics,
+                  [size](const Diagnostic& one) { return !belongs_before(one.range, size); });
 }
 
 } // namespace

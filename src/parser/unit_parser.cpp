@@ -83,7 +83,7 @@ private:
         std::vector<Diagnostic> diagnostics;
         for (; diagnostic_ < source_.lexed.diagnostics.size(); ++diagnostic_) {
             const Diagnostic& here = source_.lexed.diagnostics[diagnostic_];
-            if (here.range.begin >= end && !last)
+            if (!belongs_before(here.range, end) && !last)
                 break;
             diagnostics.push_back(shifted(here, 0U - begin_));
         }
@@ -109,6 +109,10 @@ private:
 };
 
 } // namespace
+
+bool belongs_before(TextRange range, std::uint32_t end) noexcept {
+    return range.begin < end || (range.begin == end && range.empty());
+}
 
 std::uint32_t LexedUnits::unit_end(std::size_t index) const noexcept {
     const std::uint32_t end_token = cuts[index].end_token;

@@ -33,6 +33,10 @@ struct LexedUnits {
 [[nodiscard]] LexedUnits lex_units(std::shared_ptr<const std::string> buffer, Encoding encoding,
                                    bool at_file_start);
 
+/// True when a diagnostic of the lexer at `range` concerns what stands before `end`, where a unit
+/// ends. An empty range marks the place behind a token where something is missing.
+[[nodiscard]] bool belongs_before(TextRange range, std::uint32_t end) noexcept;
+
 /// Parses all units of the stretch, in order.
 [[nodiscard]] std::vector<std::shared_ptr<const Unit>> parse_units(const LexedUnits& source,
                                                                    const ParseOptions& options);

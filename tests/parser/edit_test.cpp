@@ -89,5 +89,34 @@ TEST(Edit, LeavesTheOldTreeAsItWas) {
     EXPECT_EQ(tree.source().bytes(), library(3));
 }
 
+// A finding behind the last token of a unit belongs to that unit.
+TEST(Edit, KeepsWhatIsMissingAtTheEndOfAUnit) {
+    const SyntaxTree tree = parse(SourceText("TYPE %//\n" + library(3)));
+    const SyntaxTree edited = tree.edited(place_of(tree, "f2 := a"), "f2 := b");
+    EXPECT_TRUE(edited == parse(edited.source()));
+    EXPECT_EQ(edited.slots()[0].unit->diagnostics().front().id,
+              DiagnosticId::unknown_location_prefix);
+}
+
+// A point can belong to the closing word before it, although a unit ends there.
+TEST(Edit, ReadsAPointWithTheWordBeforeIt) {
+    const SyntaxTree tree =
+        parse(SourceText(library(3) + "END_TYPE.5 a b c d e f g h\n" + library(3)));
+    const SyntaxTree before = tree.edited(place_of(tree, "f2 := a"), "f2 := b");
+    EXPECT_TRUE(before == parse(before.source()));
+    const SyntaxTree behind = tree.edited(place_of(tree, "g h\nFUNCTION"), "g\nFUNCTION");
+    EXPECT_TRUE(behind == parse(behind.source()));
+}
+
+// Once a comment is closed, no unit depends on what follows any more.
+TEST(Edit, ForgetsThatACommentWasOpen) {
+    const SyntaxTree tree = parse(SourceText(library(20)));
+    const SyntaxTree opened = tree.edited({0, 0}, "(* ");
+    const SyntaxTree closed = opened.edited({3, 3}, "*) ");
+    for (const auto& slot : closed.slots())
+        EXPECT_FALSE(slot.unit->depends_on_rest());
+    EXPECT_GE(shared_units(opened, closed), 15U);
+}
+
 } // namespace
 } // namespace iecfront
