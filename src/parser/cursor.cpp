@@ -92,6 +92,14 @@ bool Parser::expect(TokenKind expected) {
         return true;
     }
     const bool word = is_keyword(expected);
+    const bool again =
+        reported_at_ == at_ && brackets_end.contains(expected) && !diagnostics_.empty() &&
+        diagnostics_.back().id == DiagnosticId::missing_token && !diagnostics_.back().fixes.empty();
+    if (again) { // one report for all brackets that are missing in one place
+        TextEdit& edit = diagnostics_.back().fixes.front().edits.back();
+        if (edit.range.begin == previous_end())
+            edit.replacement += words;
+    }
     report_missing(DiagnosticId::missing_token, {"`" + words + "`"})
         .insert(previous_end(), word ? " " + words : words);
     return false;

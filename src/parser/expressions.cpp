@@ -259,10 +259,11 @@ const ast::Expression* Parser::parse_primary() {
     return parse_missing_expression();
 }
 
-/// The call of a function has at least one argument.
+/// The call of a function has at least one argument. One that is not closed has other faults.
 const ast::Expression* Parser::check_function_call(const ast::Expression* operand) {
     const auto* call = ast::as<ast::FunctionCall>(operand);
-    if (call != nullptr && call->arguments.empty())
+    if (call != nullptr && call->arguments.empty() &&
+        tokens_[call->end_token - 1].kind() == TokenKind::right_parenthesis)
         report_node(*call, DiagnosticId::function_without_arguments);
     return operand;
 }
@@ -369,6 +370,8 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
     if (at(TokenKind::integer)) {
         report_at(at_, DiagnosticId::bit_access, {std::string(text(at_))});
         node->field_selector = parse_constant();
+    } else if (token().first_on_line() && peek() == TokenKind::assign) {
+        node->field_selector = make_missing_identifier("a name after `.`");
     } else {
         node->field_selector = parse_name("a name after `.`");
     }
@@ -391,7 +394,10 @@ ast::List<ast::Node> Parser::parse_arguments() {
     const std::size_t reports = diagnostics_.size();
     advance();
     ListBuilder<ast::Node> arguments(*this);
-    if (!at(TokenKind::right_parenthesis)) {
+    // An unfinished call takes no assignment of the next line for an argument.
+    const bool unfinished =
+        token().first_on_line() && peek() == TokenKind::assign && !argument_list_closes(at_);
+    if (!at(TokenKind::right_parenthesis) && !unfinished) {
         do
             arguments.add(parse_argument());
         while (accept(TokenKind::comma) || accept_missing_comma());
@@ -455,7 +461,8 @@ bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
 // param_assignment = ( variable_name | "EN" | "ENO" ) ":=" expression
 //                  | [ "NOT" ] ( variable_name | "EN" | "ENO" ) "=>" variable ;
 const ast::Node* Parser::parse_argument() {
-    const bool negated = at(TokenKind::kw_not) && peek_second() == TokenKind::output_arrow;
+    const bool negated = at(TokenKind::kw_not) && (peek() == TokenKind::output_arrow ||
+                                                   peek_second() == TokenKind::output_arrow);
     if (negated || peek() == TokenKind::output_arrow) {
         auto* output = make<ast::OutputArgument>();
         output->negated = negated;

@@ -304,6 +304,10 @@ const ast::Statement* Parser::parse_simple_statement() {
     // Two names in a row: neither an assignment nor an invocation.
     auto* error = make<ast::ErrorStatement>();
     error->first_token = first;
+    if (token().first_on_line() && at_statement_start()) { // the first one stands alone
+        report_node(*expression, DiagnosticId::not_a_statement, {quoted(first)});
+        return finish(error);
+    }
     report_unexpected("`:=` or `(`");
     skip_statement();
     return finish(error);
