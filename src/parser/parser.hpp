@@ -289,6 +289,7 @@ private:
     const ast::TypeSpecification* parse_structure_declaration();
     const ast::Node* parse_structure_element_declaration();
     const ast::Expression* parse_optional_initial_value();
+    void check_initial_value(const ast::TypeSpecification& type, const ast::Expression* value);
     [[nodiscard]] TokenKind separator_in_parentheses() const noexcept;
     const ast::Expression* parse_initial_value();
     const ast::Expression* parse_enumerated_value();
@@ -319,6 +320,7 @@ private:
                         const ast::VariableDeclarations& block, Place place);
     void check_mixed(const ast::VariableDeclarations& block);
     [[nodiscard]] bool is_incomplete(const ast::Location& location) const noexcept;
+    [[nodiscard]] bool names_function_block(const ast::TypeSpecification& type) const noexcept;
     ast::Edge parse_optional_edge(const ast::VariableDeclarations& block, Place place,
                                   const ast::TypeSpecification& type);
     const ast::Expression* parse_direct_variable();
@@ -341,8 +343,8 @@ private:
     const ast::ConfigurationDeclaration* parse_configuration_declaration();
     const ast::ResourceDeclaration* parse_resource_declaration();
     ast::List<ast::Node> parse_configuration_elements(Place place);
-    const ast::Node* parse_configuration_element(Place place);
     [[nodiscard]] bool at_end_of_configuration_elements(Place place);
+    const ast::Node* parse_configuration_element(Place place);
     void check_configuration_order(const ast::List<ast::Node>& elements, std::uint32_t head,
                                    Place place);
     void expect_semicolon_of_configuration();
@@ -350,8 +352,8 @@ private:
     void check_element_type_of_access(const ast::TypeSpecification& type);
     [[nodiscard]] bool at_incomplete(const ast::Location& location) const noexcept;
     const ast::TaskConfiguration* parse_task_configuration();
-    const ast::TaskInitialization* parse_task_initialization();
     [[nodiscard]] std::size_t task_word(std::uint32_t token) const noexcept;
+    const ast::TaskInitialization* parse_task_initialization();
     void check_task(const ast::TaskConfiguration& task);
     const ast::ProgramConfiguration* parse_program_configuration();
     const ast::Node* parse_prog_conf_element();

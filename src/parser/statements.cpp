@@ -218,6 +218,11 @@ const ast::Statement* Parser::parse_statement() {
     }
     if (at(declaration_words))
         return parse_misplaced_declarations();
+    if (at(TokenKind::identifier) && peek() == TokenKind::colon &&
+        (is_elementary_type_name(peek_second()) || peek_second() == TokenKind::kw_array)) {
+        report_at(at_, DiagnosticId::declaration_after_body);
+        return skip_statement();
+    }
     if (open_.back().in_else && open_.back().closer == TokenKind::kw_end_case && at_case_label())
         return parse_label_after_else();
     static constexpr TokenSet operator_functions{TokenKind::kw_and, TokenKind::kw_or,
@@ -295,6 +300,14 @@ const ast::Statement* Parser::parse_simple_statement() {
     if (const auto* call = ast::as<ast::FunctionCall>(left);
         call != nullptr && operator_strength(kind()) == 0)
         return make_invocation(*call);
+    const bool alone = left->kind == ast::NodeKind::variable_name && !at(TokenKind::semicolon) &&
+                       token().first_on_line() && operator_strength(kind()) == 0 &&
+                       diagnostics_.size() == reports;
+    if (alone) {
+        auto* error = make_from<ast::ErrorStatement>(left);
+        report_node(*left, DiagnosticId::not_a_statement, {quoted(first)});
+        return finish(error);
+    }
     const ast::Expression* expression = parse_binary_rest(left, 1);
     if (at(TokenKind::assign))
         return parse_assignment(expression);
@@ -304,10 +317,6 @@ const ast::Statement* Parser::parse_simple_statement() {
     // Two names in a row: neither an assignment nor an invocation.
     auto* error = make<ast::ErrorStatement>();
     error->first_token = first;
-    if (token().first_on_line() && at_statement_start()) { // the first one stands alone
-        report_node(*expression, DiagnosticId::not_a_statement, {quoted(first)});
-        return finish(error);
-    }
     report_unexpected("`:=` or `(`");
     skip_statement();
     return finish(error);

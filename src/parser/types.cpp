@@ -68,6 +68,8 @@ const ast::Node* Parser::parse_type_declaration() {
         node->initial_value != nullptr)
         report_node(*node->initial_value, DiagnosticId::unexpected_initial_value, {"STRUCT"})
             .remove({tokens_[type_end - 1].end(), tokens_[node->end_token - 1].end()});
+    else
+        check_initial_value(*node->specification, node->initial_value);
     expect_semicolon_of_declaration();
     return node;
 }
@@ -193,6 +195,7 @@ const ast::TypeSpecification* Parser::parse_elementary_type() {
 // double_byte_string_spec = "WSTRING" [ "[" integer "]" ] [ ":=" double_byte_character_string ] ;
 const ast::TypeSpecification* Parser::parse_string_specification(const ast::Node* keyword) {
     auto* node = make_from<ast::StringSpecification>(keyword);
+    node->double_byte = tokens_[keyword->first_token].kind() == TokenKind::kw_wstring;
     const bool parentheses = at(TokenKind::left_parenthesis);
     const std::uint32_t open = advance();
     node->length = parse_integer("the length of a string");
@@ -431,6 +434,7 @@ const ast::Node* Parser::parse_structure_element_declaration() {
     expect_colon();
     node->specification = parse_type_specification();
     node->initial_value = parse_optional_initial_value();
+    check_initial_value(*node->specification, node->initial_value);
     finish(node);
     expect_semicolon_of_declaration();
     return node;
@@ -497,6 +501,51 @@ TokenKind Parser::separator_in_parentheses() const noexcept {
             break;
     }
     return found;
+}
+
+/// What each kind of specification takes; of a type's name it is not known here.
+void Parser::check_initial_value(const ast::TypeSpecification& type, const ast::Expression* value) {
+    if (value == nullptr || value->missing || is_faulty(*value, diagnostics_.size()))
+        return;
+    const bool constant = ast::is<ast::Constant>(value->kind);
+    const bool name = value->kind == ast::NodeKind::enumerated_value;
+    const bool list = value->kind == ast::NodeKind::array_initialization;
+    if (!constant && !name && !list && value->kind != ast::NodeKind::structure_initialization)
+        return; // reported where it was read
+    const bool subrange = type.kind == ast::NodeKind::subrange_specification;
+    bool fits = true;
+    const char* needed = "a constant";
+    switch (type.kind) {
+    case ast::NodeKind::elementary_type_name: fits = constant; break;
+    case ast::NodeKind::string_specification:
+        fits = value->kind == ast::NodeKind::character_string;
+        needed = "a string";
+        break;
+    case ast::NodeKind::subrange_specification:
+        fits = is_signed_integer(*value);
+        needed = "an integer";
+        break;
+    case ast::NodeKind::enumerated_specification:
+        fits = name;
+        needed = "an enumerated value";
+        break;
+    case ast::NodeKind::array_specification:
+        fits = list;
+        needed = "`[`";
+        break;
+    default: break;
+    }
+    const bool other_number = value->kind == ast::NodeKind::integer_literal ||
+                              value->kind == ast::NodeKind::bit_string_literal;
+    if (fits)
+        return;
+    if (name || (subrange && other_number)) // the name of a constant, a number in another notation
+        report_node(*value, DiagnosticId::constant_expression, {"an initial value"});
+    else
+        report_at(value->first_token, DiagnosticId::unexpected_token,
+                  {needed, quoted(value->first_token)});
+    if (type.kind == ast::NodeKind::array_specification && at(TokenKind::comma))
+        reported_at_ = at_; // the rest of a list without brackets
 }
 
 /// A lone name where only a constant can stand.

@@ -2,6 +2,7 @@
 
 #include <iecfront/lexer/literals.hpp>
 #include <iecfront/lexer/name.hpp>
+#include <iecfront/lexer/standard_names.hpp>
 
 namespace iecfront {
 namespace {
@@ -296,12 +297,26 @@ void Parser::check_declaration(const ast::VariableDeclaration& declaration,
         report_node(*declaration.initial_value, DiagnosticId::unexpected_initial_value,
                     {incomplete ? "AT %...*" : std::string(text(block.first_token))})
             .remove({tokens_[end - 1].end(), tokens_[declaration.end_token - 1].end()});
+    } else if (block.block == VariableBlock::var_global && declaration.initial_value != nullptr &&
+               names_function_block(*declaration.specification)) {
+        const std::uint32_t end = declaration.specification->end_token;
+        report_node(*declaration.initial_value, DiagnosticId::unexpected_initial_value,
+                    {"VAR_GLOBAL ... : " + std::string(text(end - 1))})
+            .remove({tokens_[end - 1].end(), tokens_[declaration.end_token - 1].end()});
+    } else {
+        check_initial_value(*declaration.specification, declaration.initial_value);
     }
     if (block.block == VariableBlock::var_external && declaration.names.size() > 1)
         report(DiagnosticId::several_external_names,
                token_range(declaration.names[1]->first_token, declaration.names.back()->end_token));
     if (declaration.location != nullptr)
         check_location(declaration, block, place);
+}
+
+/// True for the name of a standard function block: of other names it is not known here.
+bool Parser::names_function_block(const ast::TypeSpecification& type) const noexcept {
+    return type.kind == ast::NodeKind::derived_type_name &&
+           standard_name(text(type.first_token)) == StandardName::function_block;
 }
 
 bool Parser::is_incomplete(const ast::Location& location) const noexcept {

@@ -8,9 +8,9 @@
 #include <iecfront/diagnostics/render_text.hpp>
 #include <iecfront/diagnostics/severity.hpp>
 #include <iecfront/source/line_table.hpp>
+#include <iecfront/source/text_range.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -118,13 +118,11 @@ public:
             edits_.insert(edits_.end(), fix.edits.begin(), fix.edits.end());
     }
 
-    [[nodiscard]] std::string apply(std::string text) {
+    [[nodiscard]] std::string apply(std::string_view text) {
         std::stable_sort(edits_.begin(), edits_.end(), [](const TextEdit& a, const TextEdit& b) {
             return std::pair(a.range.begin, a.range.end) < std::pair(b.range.begin, b.range.end);
         });
-        for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit)
-            text.replace(edit->range.begin, edit->range.size(), edit->replacement);
-        return text;
+        return apply_edits(text, edits_);
     }
 
     [[nodiscard]] bool overlap() const { return overlap_; }
@@ -160,7 +158,7 @@ void mend(CaseOutcome& outcome, const std::vector<Diagnostic>& found, const Sour
         else if (is_fault(diagnostic, policy))
             all_have_fixes = false;
     }
-    outcome.fixed = mender.apply(std::string(source.bytes()));
+    outcome.fixed = mender.apply(source.bytes());
     outcome.fixes_overlap = mender.overlap();
     outcome.fixable = all_have_fixes && std::any_of(found.begin(), found.end(), [&](const auto& d) {
                           return is_fault(d, policy);

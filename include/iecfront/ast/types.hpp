@@ -158,10 +158,12 @@ struct StructureElementDeclaration : Node {
 struct StringSpecification : TypeSpecification {
     static constexpr NodeKind node_kind = NodeKind::string_specification;
     StringSpecification() noexcept : TypeSpecification(node_kind) {}
+    bool double_byte = false; ///< WSTRING
     const Expression* length = nullptr;
 
     static constexpr auto members() {
-        return std::tuple{MemberDescription{"length", &StringSpecification::length}};
+        return std::tuple{MemberDescription{"double_byte", &StringSpecification::double_byte},
+                          MemberDescription{"length", &StringSpecification::length}};
     }
 };
 
