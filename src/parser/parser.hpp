@@ -62,6 +62,9 @@ private:
     [[nodiscard]] bool at_word(std::string_view word) const noexcept;
     /// No byte stands between the current token and the next.
     [[nodiscard]] bool adjoins_next() const noexcept;
+    /// So many tokens further on in a line it is looked for what a mistake at its start may mean.
+    /// Far more than a line has, and a bound for the time that one of megabytes takes.
+    static constexpr std::uint32_t furthest_on_line = 100;
     [[nodiscard]] bool on_same_line(std::uint32_t first, std::uint32_t second) const noexcept;
     /// 0-based distance in bytes from the start of its line.
     [[nodiscard]] std::uint32_t column(std::uint32_t index) const noexcept;
@@ -264,6 +267,7 @@ private:
     const ast::ErrorDeclaration* parse_error_declaration(std::string what);
     void report_empty_block(std::uint32_t opener);
     void expect_colon();
+    [[nodiscard]] bool colon_follows_on_line() const noexcept;
     void expect_closing(TokenKind bracket);
     Report accept_as(TokenKind meant);
     std::optional<Report> accept_parenthesis_for_bracket();

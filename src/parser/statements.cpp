@@ -575,7 +575,10 @@ bool Parser::at_case_label() const noexcept {
                                      TokenKind::minus,      TokenKind::star,    TokenKind::slash,
                                      TokenKind::power,      TokenKind::kw_mod,  TokenKind::kw_to,
                                      TokenKind::dot};
-    while (inside.contains(tokens_[after].kind()) && !tokens_[after].first_on_line())
+    for (std::uint32_t steps = 0;
+         steps < furthest_on_line && inside.contains(tokens_[after].kind()) &&
+         !tokens_[after].first_on_line();
+         ++steps)
         after = next(after);
     switch (tokens_[after].kind()) {
     case TokenKind::colon: return tokens_[next(after)].kind() != TokenKind::equal;
@@ -788,8 +791,10 @@ void Parser::expect_word(TokenKind word) {
         return;
     // What stands between here and the word on the same line was meant to be part of the head.
     std::uint32_t i = at_;
-    while (!tokens_[i].first_on_line() && tokens_[i].kind() != word &&
-           tokens_[i].kind() != TokenKind::semicolon && i < count_)
+    for (std::uint32_t steps = 0;
+         steps < furthest_on_line && !tokens_[i].first_on_line() && tokens_[i].kind() != word &&
+         tokens_[i].kind() != TokenKind::semicolon && i < count_;
+         ++steps)
         i = next(i);
     if (tokens_[i].kind() != word || tokens_[i].first_on_line())
         return;

@@ -88,14 +88,26 @@ void Parser::expect_colon() {
     }
     // Something that is no part of a name: nothing is read from it.
     report_unexpected("`:`");
-    std::uint32_t colon = at_;
-    while (colon != count_ && tokens_[colon].kind() != TokenKind::colon &&
-           on_same_line(at_, colon) && tokens_[colon].kind() != TokenKind::semicolon &&
-           !is_keyword(tokens_[colon].kind()))
-        colon = next(colon);
-    if (tokens_[colon].kind() == TokenKind::colon && on_same_line(at_, colon))
+    if (colon_follows_on_line())
         skip_to({TokenKind::colon});
     accept(TokenKind::colon);
+}
+
+/// True when a `:` stands further on in this line of a declaration.
+bool Parser::colon_follows_on_line() const noexcept {
+    std::uint32_t i = at_;
+    for (std::uint32_t steps = 0; steps < furthest_on_line; ++steps) {
+        const TokenKind here = tokens_[i].kind();
+        if (here == TokenKind::semicolon || here == TokenKind::end_of_unit || is_keyword(here))
+            return false;
+        const std::uint32_t behind = next(i);
+        if (!on_same_line(i, behind))
+            return false;
+        if (tokens_[behind].kind() == TokenKind::colon)
+            return true;
+        i = behind;
+    }
+    return false;
 }
 
 // ---- specifications -----------------------------------------------------------------------------
