@@ -8,6 +8,14 @@ set(settings
     -D CMAKE_CXX_FLAGS=${FLAGS}
     -D CMAKE_BUILD_TYPE=${CONFIG})
 
+# For builds of the library itself, which take long: what is tested is how it is embedded, not how
+# fast it is.
+set(quick)
+if(NOT COMPILER MATCHES "/(clang-)?cl(\\.exe)?$")
+    string(TOUPPER "${CONFIG}" config)
+    set(quick -D "CMAKE_CXX_FLAGS_${config}=-O0 -g0")
+endif()
+
 function(run)
     execute_process(COMMAND ${ARGV}
         RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -70,10 +78,10 @@ elseif(WAY STREQUAL "pkg_config")
     try_pkg_config(${prefix} ${build})
 
 elseif(WAY STREQUAL "add_subdirectory")
-    try_cmake(${build} -D IECFRONT_SOURCE_DIR=${SOURCE_DIR})
+    try_cmake(${build} -D IECFRONT_SOURCE_DIR=${SOURCE_DIR} ${quick})
 
 elseif(WAY STREQUAL "shared")
-    run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${build}/library ${settings}
+    run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${build}/library ${settings} ${quick}
         -D BUILD_SHARED_LIBS=ON
         -D IECFRONT_BUILD_CLI=OFF -D IECFRONT_BUILD_TESTS=OFF -D IECFRONT_BUILD_EXAMPLES=OFF)
     run(${CMAKE_COMMAND} --build ${build}/library --config ${CONFIG})
