@@ -56,7 +56,7 @@ std::uint32_t Parser::column(std::uint32_t index) const noexcept {
 /// True when the closing bracket at the cursor has its opening one earlier in this statement or
 /// declaration.
 bool Parser::closes_open_bracket() const noexcept {
-    constexpr std::uint32_t furthest = 1000;
+    constexpr std::uint32_t furthest = 200; // bounds the time that a run of brackets takes
     const TokenKind opener =
         at(TokenKind::right_bracket) ? TokenKind::left_bracket : TokenKind::left_parenthesis;
     std::uint32_t closed = 0;

@@ -116,9 +116,10 @@ bool Parser::at_misspelt_elsif() const noexcept {
            find_on_line(TokenKind::kw_then) < count_;
 }
 
-/// The place of `word` in what is left of this line, before any `;`; the end when it is not there.
+/// The place of `word` further on in this line, before any `;`; the end when it is not there.
 std::uint32_t Parser::find_on_line(TokenKind word) const noexcept {
-    for (std::uint32_t i = at_; i < count_; i = next(i)) {
+    std::uint32_t steps = 0;
+    for (std::uint32_t i = at_; i < count_ && steps < furthest_on_line; i = next(i), ++steps) {
         if (tokens_[i].kind() == word)
             return i;
         if (tokens_[i].kind() == TokenKind::semicolon ||

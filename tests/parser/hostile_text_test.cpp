@@ -37,6 +37,7 @@ TEST(HostileText, TakesLinearTime) {
              HostileText{"PROGRAM p VAR ", "x[", "OF ", "END_VAR "},
              HostileText{"", "END_TYPE ", "FUNCTION ", "%"},
              HostileText{"PROGRAM p IF a THEN ", "VAR_ACCESS ", "INT#5 ", "x."},
+             HostileText{"PROGRAM p x(", "-END_WHILE ", "END_FOR ", "*x:="},
          }) {
         const std::string text = text_of(hostile, 1U << 21U);
         EXPECT_EQ(parse(SourceText(text)).size(), text.size());
