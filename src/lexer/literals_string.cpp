@@ -56,10 +56,10 @@ std::size_t probable_end(std::string_view content) noexcept {
     end = without_trailing_comment(content, end);
     if (end > 0 && (content[end - 1] == ';' || content[end - 1] == ','))
         end = without_trailing_blanks(content, end - 1);
-    const auto count = [&](char c) {
-        return std::count(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(end), c);
-    };
-    while (end > 0 && content[end - 1] == ')' && count(')') > count('('))
+    const std::string_view before = content.substr(0, end);
+    std::ptrdiff_t surplus = std::count(before.begin(), before.end(), ')') -
+                             std::count(before.begin(), before.end(), '(');
+    for (; end > 0 && content[end - 1] == ')' && surplus > 0; --surplus)
         end = without_trailing_blanks(content, end - 1);
     return end;
 }
@@ -172,12 +172,15 @@ void StringScanner::report_unterminated() {
 DiagnosticFix StringScanner::missing_quote() const {
     const std::string_view content = reader_.text().substr(content_);
     const auto end = static_cast<std::uint32_t>(probable_end(content));
+    const std::string_view code = content.substr(
+        0, without_trailing_comment(content, without_trailing_blanks(content, content.size())));
     for (std::uint32_t i = 0; i < content.size(); ++i) {
         if (content[i] != '$')
             continue;
         // `'5 $';`: the dollar sign was meant as a character.
         const bool escapes_quote = i + 1 < content.size() && content[i + 1] == quote_;
-        if (escapes_quote && probable_end(content.substr(i + 2)) == 0)
+        const bool last = escapes_quote && code.find('$', i + 2) == std::string_view::npos;
+        if (last && probable_end(content.substr(i + 2)) == 0)
             return insertion(content_ + i, "$");
         // A quote behind this dollar sign would be escaped.
         if (i + 1 == end)

@@ -497,9 +497,10 @@ const ast::Expression* Parser::parse_initial_value() {
 
 /// `:=` or `,` when one stands directly inside the parentheses that begin here.
 TokenKind Parser::separator_in_parentheses() const noexcept {
+    constexpr std::uint32_t furthest = 1000; // bounds the time that nested ones take
     TokenKind found = TokenKind::left_parenthesis;
     std::uint32_t depth = 0;
-    for (std::uint32_t i = at_; i != count_; i = next(i)) {
+    for (std::uint32_t i = at_; i != count_ && i - at_ < furthest; i = next(i)) {
         const TokenKind here = tokens_[i].kind();
         if (here == TokenKind::left_parenthesis || here == TokenKind::left_bracket)
             ++depth;

@@ -38,6 +38,9 @@ TEST(HostileText, TakesLinearTime) {
              HostileText{"", "END_TYPE ", "FUNCTION ", "%"},
              HostileText{"PROGRAM p IF a THEN ", "VAR_ACCESS ", "INT#5 ", "x."},
              HostileText{"PROGRAM p x(", "-END_WHILE ", "END_FOR ", "*x:="},
+             HostileText{"PROGRAM p ", "x := ", "'", ") "},
+             HostileText{"PROGRAM p ", "x := ", "'", "$';"},
+             HostileText{"FUNCTION_BLOCK b VAR_INPUT a : INT := ", "(a:=2.5 3(", ":= ", "a:"},
          }) {
         const std::string text = text_of(hostile, 1U << 21U);
         EXPECT_EQ(parse(SourceText(text)).size(), text.size());
