@@ -24,6 +24,9 @@ constexpr std::array<std::string_view, 5> source_extensions = {".st", ".il", ".s
                                                                ".pou"};
 constexpr std::string_view no_sources = "no *.st, *.il, *.sfc, *.iec or *.pou in this folder";
 
+constexpr std::string_view utf_16_unknown =
+    "this is UTF-16, which cannot be read; save it as UTF-8, ISO 8859-1 or Windows-1252";
+
 // What is read at a time when the size of the whole is not known.
 constexpr std::size_t chunk_size = std::size_t{1} << 16U;
 
@@ -83,12 +86,25 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
     return {SourceText(std::string(), input.name, encoding), false, std::move(problem)};
 }
 
+// UTF-16 by its byte order mark, or as it is of text in the Latin alphabet.
+[[nodiscard]] bool looks_like_utf_16(std::string_view bytes) {
+    if (bytes.size() < 4)
+        return false;
+    const std::string_view mark = bytes.substr(0, 2);
+    const auto is_zero = [bytes](std::size_t i) { return bytes[i] == '\0'; };
+    return mark == "\xFF\xFE" || mark == "\xFE\xFF" ||
+           (!is_zero(0) && is_zero(1) && !is_zero(2) && is_zero(3)) ||
+           (is_zero(0) && !is_zero(1) && is_zero(2) && !is_zero(3));
+}
+
 [[nodiscard]] ReadText read_stream(const Input& input, Encoding encoding, std::FILE* file,
                                    std::uintmax_t expected_size) {
     errno = 0;
     std::string bytes = read_all(file, expected_size);
     if (std::ferror(file) != 0)
         return failed(input, encoding, system_message(errno));
+    if (looks_like_utf_16(bytes))
+        return failed(input, encoding, std::string(utf_16_unknown));
     SourceText source(std::move(bytes), input.name, encoding);
     const bool too_large = source.too_large();
     return {std::move(source), too_large, {}};

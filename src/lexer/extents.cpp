@@ -1,15 +1,31 @@
 #include "lexer/extents.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace iecfront {
 
 namespace {
 
-// Characters beyond ASCII that nobody takes for a part of a word: controls, spaces, and what is not
-// to be seen.
-[[nodiscard]] bool is_invisible(char32_t c) noexcept {
-    return c <= U'\u00A0' || c == U'\u00AD' || c == U'\u1680' || c == U'\u180E' ||
-           (c >= U'\u2000' && c <= U'\u200F') || (c >= U'\u2028' && c <= U'\u202F') ||
-           (c >= U'\u205F' && c <= U'\u206F') || c == U'\u3000' || c == U'\uFEFF';
+struct CharacterRange {
+    char32_t first;
+    char32_t last;
+};
+
+// Characters beyond ASCII that nobody takes for a part of a word: controls, spaces, punctuation,
+// symbols, and what is not to be seen. The pound sign is not among them: where it stands for the
+// number sign, it is inside a word (Table 1, feature 3b).
+constexpr std::array symbols = {
+    CharacterRange{0x0080, 0x00A2}, CharacterRange{0x00A4, 0x00A9}, CharacterRange{0x00AB, 0x00B1},
+    CharacterRange{0x00B4, 0x00B4}, CharacterRange{0x00B6, 0x00B8}, CharacterRange{0x00BB, 0x00BF},
+    CharacterRange{0x00D7, 0x00D7}, CharacterRange{0x00F7, 0x00F7}, CharacterRange{0x1680, 0x1680},
+    CharacterRange{0x180E, 0x180E}, CharacterRange{0x2000, 0x206F}, CharacterRange{0x20A0, 0x20CF},
+    CharacterRange{0x2190, 0x2BFF}, CharacterRange{0x3000, 0x303F}, CharacterRange{0xFEFF, 0xFEFF}};
+
+[[nodiscard]] bool is_symbol(char32_t c) noexcept {
+    return std::any_of(symbols.begin(), symbols.end(), [c](const CharacterRange& range) {
+        return range.first <= c && c <= range.last;
+    });
 }
 
 } // namespace
@@ -20,7 +36,7 @@ DecodedCharacter Extents::decode(const char* p) const noexcept {
 
 std::uint32_t Extents::foreign_letter_size(const char* p) const noexcept {
     const DecodedCharacter character = decode(p);
-    return character.valid && is_invisible(character.code_point) ? 0 : character.size;
+    return character.valid && is_symbol(character.code_point) ? 0 : character.size;
 }
 
 const char* Extents::word_end(const char* p) const noexcept {
@@ -91,7 +107,7 @@ const char* Extents::number_end(const char* p) const noexcept {
 }
 
 const char* Extents::duration_end(const char* p) const noexcept {
-    if (is_sign(*p))
+    while (is_sign(*p))
         ++p;
     p = word_end(p);
     while (*p == '.' && is_word_part(p[1]))

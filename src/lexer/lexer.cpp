@@ -8,6 +8,7 @@
 #include <iecfront/lexer/literals.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -29,11 +30,14 @@ struct Found {
     TokenKind kind;
     const char* end;
     Gaps gaps;
-    bool of_derived_type = false;
+    bool of_named_type = false; // of no elementary one
 };
 
 // So many digits fit 64 bits: nothing can be wrong with them.
 constexpr std::ptrdiff_t safe_digits = 18;
+
+// Nobody writes a longer one, and what is longer is not tried as one.
+constexpr std::ptrdiff_t longest_duration = 40;
 
 class Lexer {
 public:
@@ -65,6 +69,9 @@ private:
     const char* number_with_point(const char* begin, const char* point);
     const char* number_with_exponent(const char* begin, const char* letter);
     const char* digit_first_word(const char* begin, const char* end);
+    const char* duration_without_prefix(const char* begin, const char* end);
+    const char* c_style_integer(const char* begin, const char* end);
+    [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;
     const char* string(const char* begin);
     const char* location(const char* begin);
     const char* number_sign(const char* begin);
@@ -77,6 +84,8 @@ private:
     const char* pragma(const char* begin);
     const char* stray_pragma_end(const char* begin);
     const char* unexpected(const char* begin);
+    const char* typographic_string(const char* begin, const DecodedCharacter& opening);
+    const char* look_alike(const char* begin, const DecodedCharacter& character);
     const char* non_ascii(const char* begin);
 
     const char* delimiter(TokenKind kind, const char* begin, std::uint32_t size) {
@@ -95,7 +104,7 @@ private:
     bool find_prefixed(const char* begin, const char* prefix_end, Found& found) const;
     bool find_based(const char* begin, const char* prefix_end, const char* body,
                     Found& found) const;
-    bool find_of_named_type(const char* body, Found& found) const;
+    bool find_of_named_type(std::string_view prefix, const char* body, Found& found) const;
     [[nodiscard]] bool can_begin_value(TokenKind kind, std::string_view prefix,
                                        const char* body) const;
     [[nodiscard]] bool ends_operand(Token token, const char* next) const;
@@ -105,7 +114,8 @@ private:
     void check_underscores(const char* begin, const char* end);
     bool check_foreign_letters(const char* begin, const char* end);
     const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
-    const char* end_of_first_line(const char* begin, DiagnosticId fault, std::uint32_t size);
+    const char* end_of_first_line(const char* begin, DiagnosticId fault, std::string_view opening,
+                                  std::string_view closing);
     const char* line_end(const char* begin);
 
     void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false) {
@@ -400,6 +410,42 @@ namespace {
     return is_elementary_type_name(word) ? TokenKind::typed_literal : TokenKind::enumerated_value;
 }
 
+// Prefixes that the third edition has for literals: known in order to be named. To this edition
+// they are names of types like any other, and so can stand before an enumerated value.
+struct ThirdEditionPrefix {
+    std::string_view word;
+    TokenKind kind;
+};
+constexpr std::array third_edition_prefixes = {
+    ThirdEditionPrefix{"LTIME", TokenKind::duration},
+    ThirdEditionPrefix{"LT", TokenKind::duration},
+    ThirdEditionPrefix{"LDATE", TokenKind::date},
+    ThirdEditionPrefix{"LD", TokenKind::date},
+    ThirdEditionPrefix{"LTIME_OF_DAY", TokenKind::time_of_day},
+    ThirdEditionPrefix{"LTOD", TokenKind::time_of_day},
+    ThirdEditionPrefix{"LDATE_AND_TIME", TokenKind::date_and_time},
+    ThirdEditionPrefix{"LDT", TokenKind::date_and_time},
+    ThirdEditionPrefix{"CHAR", TokenKind::single_byte_string},
+    ThirdEditionPrefix{"WCHAR", TokenKind::double_byte_string},
+};
+
+// The kind of literal that the prefix begins in the third edition; `typed_literal` for none.
+[[nodiscard]] TokenKind third_edition_kind(std::string_view prefix) noexcept {
+    for (const ThirdEditionPrefix& row : third_edition_prefixes)
+        if (names_equal(prefix, row.word))
+            return row.kind;
+    return TokenKind::typed_literal;
+}
+
+// What is wrong with a value that is typed with a name other than an elementary type's.
+[[nodiscard]] DiagnosticId fault_of_type(std::string_view prefix) noexcept {
+    if (is_generic_type_name(keyword_kind(prefix)))
+        return DiagnosticId::literal_of_generic_type;
+    return third_edition_kind(prefix) == TokenKind::typed_literal
+               ? DiagnosticId::literal_of_derived_type
+               : DiagnosticId::third_edition_literal;
+}
+
 [[nodiscard]] bool is_string(TokenKind kind) noexcept {
     return kind == TokenKind::single_byte_string || kind == TokenKind::double_byte_string;
 }
@@ -431,7 +477,7 @@ bool Lexer::can_begin_value(TokenKind kind, std::string_view prefix, const char*
 }
 
 // `type#value` with a type that has a name of its own.
-bool Lexer::find_of_named_type(const char* body, Found& found) const {
+bool Lexer::find_of_named_type(std::string_view prefix, const char* body, Found& found) const {
     const bool spaced = found.gaps.any();
     if (is_word_start(*body) || (!is_ascii(*body) && extents_.foreign_letter_size(body) != 0)) {
         found.end = extents_.word_end(body);
@@ -439,8 +485,8 @@ bool Lexer::find_of_named_type(const char* body, Found& found) const {
     }
     if (!begins_number(body) && (spaced || !is_quote(*body)))
         return false;
-    found.kind = TokenKind::typed_literal;
-    found.of_derived_type = true;
+    found.kind = third_edition_kind(prefix);
+    found.of_named_type = true;
     found.end = extents_.literal_end(found.kind, body);
     return true;
 }
@@ -470,7 +516,7 @@ bool Lexer::find_prefixed(const char* begin, const char* prefix_end, Found& foun
     const std::string_view prefix = view(begin, prefix_end);
     found.kind = is_digit(*begin) ? TokenKind::based_integer : kind_of_prefix(prefix);
     if (found.kind == TokenKind::enumerated_value) {
-        if (find_of_named_type(body, found))
+        if (find_of_named_type(prefix, body, found))
             return true;
         found.gaps.second = {};
         return false;
@@ -506,9 +552,9 @@ const char* Lexer::found_literal(const char* begin, const char* prefix_end, cons
         emit_any(found.kind, begin, found.end, !well_formed);
         return found.end;
     }
-    if (!found.of_derived_type)
+    if (!found.of_named_type)
         return literal(found.kind, begin, found.end);
-    report(DiagnosticId::literal_of_derived_type, range(begin, found.end))
+    report(fault_of_type(view(begin, prefix_end)), range(begin, found.end))
         .arguments.emplace_back(std::string(begin, prefix_end));
     emit_any(found.kind, begin, found.end);
     return found.end;
@@ -632,6 +678,8 @@ const char* Lexer::number_with_point(const char* begin, const char* point) {
             return spaced_literal(TokenKind::real, begin,
                                   Extents::digits_end(is_sign(*rest) ? rest + 1 : rest), gaps);
     }
+    if (lacks_duration_prefix(begin, end))
+        return duration_without_prefix(begin, end);
     if (!is_plain_real(begin, point, end))
         return literal(TokenKind::real, begin, end);
     emit(TokenKind::real, begin, end);
@@ -650,10 +698,60 @@ const char* Lexer::number_with_exponent(const char* begin, const char* letter) {
                                 : digit_first_word(begin, word_end);
 }
 
-// `2nd_pump`: meant as a name.
+// `5s`, `1h_30m`, `1.5s`: a duration but for its prefix. What a colon follows is declared or
+// assigned to, and so meant as a name.
+bool Lexer::lacks_duration_prefix(const char* begin, const char* end) const {
+    if (end - begin > longest_duration || is_digit(end[-1]) || *Extents::blanks_end(end) == ':')
+        return false;
+    const std::string with_prefix = "T#" + std::string(begin, end);
+    return check_literal(TokenKind::duration, with_prefix, encoding_).empty();
+}
+
+const char* Lexer::duration_without_prefix(const char* begin, const char* end) {
+    if (has_tokens() && last_token().kind() == TokenKind::duration) {
+        const char* const before_end = begin_ + last_token().end();
+        if (before_end != begin && Extents::blanks_end(before_end) == begin) // `T#1m 5s`
+            return spaced_literal(TokenKind::duration, begin_ + take_back().offset(), end,
+                                  {range(before_end, begin), {}});
+    }
+    Diagnostic& diagnostic = report(DiagnosticId::duration_without_prefix, range(begin, end));
+    add_replacement(diagnostic, range(begin, begin), "T#");
+    emit(TokenKind::duration, begin, end, true);
+    return end;
+}
+
+// `0x1F`: a based integer in the way of another language. Null when it is none.
+const char* Lexer::c_style_integer(const char* begin, const char* end) {
+    struct Base {
+        char letter;
+        const char* prefix;
+        std::uint64_t base;
+    };
+    static constexpr std::array bases = {Base{'X', "16#", 16}, Base{'O', "8#", 8},
+                                         Base{'B', "2#", 2}};
+    const auto* const found = std::ranges::find(bases, fold(begin[1]), &Base::letter);
+    if (*begin != '0' || found == bases.end() || end - begin > safe_digits)
+        return nullptr;
+    const std::string meant = found->prefix + std::string(begin + 2, end);
+    if (!check_literal(TokenKind::based_integer, meant, encoding_).empty())
+        return nullptr;
+    const TextRange where = range(begin, begin + 2);
+    Diagnostic& diagnostic = report(DiagnosticId::c_style_base, where);
+    diagnostic.arguments.emplace_back(std::string(begin, begin + 2));
+    diagnostic.arguments.emplace_back(found->base);
+    add_replacement(diagnostic, where, found->prefix);
+    emit(TokenKind::based_integer, begin, end, true);
+    return end;
+}
+
+// `2nd_pump`: meant as a name, unless it is a value that lacks its prefix.
 const char* Lexer::digit_first_word(const char* begin, const char* end) {
     if (*end == '#')
         return prefixed(begin, end);
+    if (lacks_duration_prefix(begin, end))
+        return duration_without_prefix(begin, end);
+    if (const char* const value_end = c_style_integer(begin, end))
+        return value_end;
     if (check_foreign_letters(begin, end)) {
         const char* const digits = std::find_if_not(begin, end, is_digit);
         report(DiagnosticId::identifier_begins_with_digit, range(begin, digits));
@@ -777,10 +875,12 @@ const char* Lexer::line_end(const char* begin) {
     return find(begin, line_feed_, '\r');
 }
 
-// Reports what nothing closes, at its opening of `size` bytes, and gives it its first line: so the
-// rest of the file is still read.
-const char* Lexer::end_of_first_line(const char* begin, DiagnosticId fault, std::uint32_t size) {
-    report(fault, range(begin, begin + size));
+// Reports what nothing closes, at its opening, and gives it its first line: so the rest of the file
+// is still read.
+const char* Lexer::end_of_first_line(const char* begin, DiagnosticId fault,
+                                     std::string_view opening, std::string_view closing) {
+    report(fault, range(begin, begin + opening.size()))
+        .arguments.emplace_back(std::string(closing));
     result_.open_ended.push_back(offset(begin));
     return line_end(begin);
 }
@@ -804,7 +904,7 @@ const char* Lexer::comment(const char* begin) {
     const char* end = nullptr;
     if (closing == nullptr) {
         comment_end_missing_from_ = std::min(comment_end_missing_from_, begin + 2);
-        end = end_of_first_line(begin, DiagnosticId::unterminated_comment, 2);
+        end = end_of_first_line(begin, DiagnosticId::unterminated_comment, "(*", "*)");
     } else {
         end = inner == nullptr ? closing + 1 : end_of_nested_comment(begin, inner, closing);
     }
@@ -840,7 +940,7 @@ const char* Lexer::c_comment(const char* begin) {
     const char* end = nullptr;
     if (closing == std::string_view::npos) {
         c_comment_end_missing_from_ = std::min(c_comment_end_missing_from_, begin + 2);
-        end = end_of_first_line(begin, DiagnosticId::unterminated_comment, 2);
+        end = end_of_first_line(begin, DiagnosticId::unterminated_comment, "/*", "*/");
     } else {
         end = begin_ + closing + 2;
         report(DiagnosticId::c_comment, range(begin, end));
@@ -856,7 +956,7 @@ const char* Lexer::pragma(const char* begin) {
     const char* end = nullptr;
     if (closing == std::string_view::npos) {
         pragma_end_missing_from_ = std::min(pragma_end_missing_from_, begin);
-        end = end_of_first_line(begin, DiagnosticId::unterminated_pragma, 1);
+        end = end_of_first_line(begin, DiagnosticId::unterminated_pragma, "{", "}");
     } else {
         end = begin_ + closing + 1;
         report(DiagnosticId::pragma, range(begin, end));
@@ -881,9 +981,84 @@ const char* Lexer::non_ascii(const char* begin) {
     return only_broken_bytes ? unexpected(begin) : long_word(begin);
 }
 
+// A string in the quotes of a word processor. Null when none begins here.
+const char* Lexer::typographic_string(const char* begin, const DecodedCharacter& opening) {
+    struct Quotes {
+        char32_t opening;
+        char32_t closing;
+        const char* meant;
+    };
+    static constexpr std::array all = {Quotes{0x2018, 0x2019, "'"}, Quotes{0x2019, 0x2019, "'"},
+                                       Quotes{0x201C, 0x201D, "\""}, Quotes{0x201D, 0x201D, "\""}};
+    const auto* const quotes = std::ranges::find(all, opening.code_point, &Quotes::opening);
+    if (!opening.valid || quotes == all.end())
+        return nullptr;
+    for (const char* p = begin + opening.size;
+         class_of(*p) != CharacterClass::line_end && p < end_;) {
+        const DecodedCharacter here = extents_.decode(p);
+        const char* const end = p + here.size;
+        if (here.code_point == quotes->closing) {
+            Diagnostic& diagnostic =
+                report(DiagnosticId::typographic_quotes, range(begin, begin + opening.size));
+            diagnostic.arguments.emplace_back(opening.code_point);
+            add_replacement(diagnostic, range(begin, begin + opening.size), quotes->meant);
+            diagnostic.fixes.front().edits.push_back({range(p, end), quotes->meant});
+            emit_any(*quotes->meant == '"' ? TokenKind::double_byte_string
+                                           : TokenKind::single_byte_string,
+                     begin, end, true);
+            return end;
+        }
+        p = end;
+    }
+    return nullptr;
+}
+
+namespace {
+
+// Characters that a word processor or a web page puts in the place of others.
+struct LookAlike {
+    char32_t character;
+    TokenKind kind;
+    std::string_view meant;
+};
+constexpr std::array look_alikes = {
+    LookAlike{0x00A0, TokenKind::unknown, " "},
+    LookAlike{0x202F, TokenKind::unknown, " "},
+    LookAlike{0x00D7, TokenKind::star, "*"},
+    LookAlike{0x00F7, TokenKind::slash, "/"},
+    LookAlike{0x2010, TokenKind::minus, "-"},
+    LookAlike{0x2011, TokenKind::minus, "-"},
+    LookAlike{0x2013, TokenKind::minus, "-"},
+    LookAlike{0x2212, TokenKind::minus, "-"},
+    LookAlike{0x2026, TokenKind::dot_dot, ".."},
+    LookAlike{0x2260, TokenKind::not_equal, "<>"},
+    LookAlike{0x2264, TokenKind::less_equal, "<="},
+    LookAlike{0x2265, TokenKind::greater_equal, ">="},
+};
+
+} // namespace
+
+// Null when the character is taken for no other.
+const char* Lexer::look_alike(const char* begin, const DecodedCharacter& character) {
+    const auto* const found =
+        std::ranges::find(look_alikes, character.code_point, &LookAlike::character);
+    if (!character.valid || found == look_alikes.end())
+        return nullptr;
+    const char* const end = begin + character.size;
+    Diagnostic& diagnostic = report(DiagnosticId::unexpected_character, range(begin, end));
+    diagnostic.arguments.emplace_back(character.code_point);
+    add_replacement(diagnostic, range(begin, end), std::string(found->meant));
+    emit(found->kind, begin, end, true);
+    return end;
+}
+
 // A run of characters that nothing begins with is one token with one report.
 const char* Lexer::unexpected(const char* begin) {
     const DecodedCharacter first = extents_.decode(begin);
+    if (const char* const end = typographic_string(begin, first))
+        return end;
+    if (const char* const end = look_alike(begin, first))
+        return end;
     const char* p = begin;
     for (;;) {
         const CharacterClass found = class_of(*p);

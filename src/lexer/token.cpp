@@ -13,11 +13,8 @@ constexpr std::array<std::string_view, token_kind_count> spellings = {
 #include <iecfront/lexer/tokens.def>
 };
 
-constexpr std::string_view keyword_prefix = "kw_";
-
 constexpr std::array<std::string_view, token_kind_count> enumerators = {
-#define IECFRONT_KEYWORD(enumerator, spelling)                                                     \
-    std::string_view(#enumerator).substr(keyword_prefix.size()),
+#define IECFRONT_KEYWORD(enumerator, spelling) #enumerator,
 #define IECFRONT_DELIMITER(enumerator, spelling) #enumerator,
 #define IECFRONT_TOKEN(enumerator, description) #enumerator,
 #include <iecfront/lexer/tokens.def>

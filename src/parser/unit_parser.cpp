@@ -81,13 +81,25 @@ private:
 
     std::vector<Diagnostic> take_diagnostics(std::uint32_t end, bool last) {
         std::vector<Diagnostic> diagnostics;
+        bool control_found = false;
         for (; diagnostic_ < source_.lexed.diagnostics.size(); ++diagnostic_) {
             const Diagnostic& here = source_.lexed.diagnostics[diagnostic_];
             if (!belongs_before(here.range, end) && !last)
                 break;
-            diagnostics.push_back(shifted(here, 0U - begin_));
+            const bool control = is_about_control_character(here);
+            if (!control || !control_found)
+                diagnostics.push_back(shifted(here, 0U - begin_));
+            control_found = control_found || control;
         }
         return diagnostics;
+    }
+
+    // Bytes that are no text are full of them: the first in a unit speaks for all.
+    static bool is_about_control_character(const Diagnostic& diagnostic) {
+        if (diagnostic.id != DiagnosticId::unexpected_character)
+            return false;
+        const auto character = std::get<char32_t>(diagnostic.arguments.front());
+        return character < U' ' || character == U'\x7F';
     }
 
     static void append_sorted(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {

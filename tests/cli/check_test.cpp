@@ -326,6 +326,16 @@ TEST_F(CheckCommand, BytesOfAnotherKindGiveAnAnswer) {
     EXPECT_TRUE(contains(outcome.out, " not shown; --max-findings 0 shows all\n"));
 }
 
+TEST_F(CheckCommand, Utf16IsNamedAndNotRead) {
+    write("mark.st", std::string("\xFF\xFEP\0R\0", 6));
+    write("big.st", std::string("\0P\0R\0O", 6));
+    const Outcome outcome = run({"check", "mark.st", "big.st"});
+    EXPECT_EQ(outcome.status, 2);
+    const std::string problem =
+        ": this is UTF-16, which cannot be read; save it as UTF-8, ISO 8859-1 or Windows-1252\n";
+    EXPECT_EQ(outcome.err, "iecfront: mark.st" + problem + "iecfront: big.st" + problem);
+}
+
 TEST_F(CheckCommand, TooManyFindingsAreCountedButNotShown) {
     write("bad.st", "PROGRAM p\nx := 1\ny := 2\nz := 3\nEND_PROGRAM\n");
     const auto shown = [&](const char* most) {

@@ -12,7 +12,7 @@ TEST_F(TokensCommand, ListsTokensCommentsAndPragmasInOrder) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(outcome.out, "1:1 comment \"(* one *)\"\n"
-                           "2:1 program \"PROGRAM\"\n"
+                           "2:1 kw_program \"PROGRAM\"\n"
                            "2:9 identifier \"p\"\n"
                            "2:11 pragma \"{ two }\"\n"
                            "3:3 identifier \"s\"\n"
@@ -20,7 +20,7 @@ TEST_F(TokensCommand, ListsTokensCommentsAndPragmasInOrder) {
                            "3:8 single_byte_string \"'a$'b'\"\n"
                            "3:14 semicolon \";\"\n"
                            "3:16 line_comment \"// three\"\n"
-                           "4:1 end_program \"END_PROGRAM\"\n"
+                           "4:1 kw_end_program \"END_PROGRAM\"\n"
                            "4:13 comment \"(* four\\n*)\"\n");
 }
 

@@ -54,8 +54,8 @@ TEST(Lexer, WellFormedExamples) {
         {"'it$'s'", "single_byte_string"},
         {"\"5$\"\"", "double_byte_string"},
         {"_1", "identifier"},
-        {"END_IF;", "end_if semicolon"},
-        {"end_if", "end_if"},
+        {"END_IF;", "kw_end_if semicolon"},
+        {"end_if", "kw_end_if"},
         {"N, S, PRIORITY", "identifier comma identifier comma identifier"},
     };
     for (const Row& row : rows) {
@@ -167,13 +167,13 @@ TEST(Lexer, WhiteSpaceThatJoinsNothing) {
     EXPECT_EQ(tokens("1 000"), "integer(1) integer(000)");
     EXPECT_EQ(tokens("5 s"), "integer(5) identifier(s)");
     EXPECT_EQ(tokens("END _IF"), "identifier(END) identifier(_IF)");
-    EXPECT_EQ(tokens("INT\n#5"), "int(INT) unknown!(#) integer(5)"); // on one line only
+    EXPECT_EQ(tokens("INT\n#5"), "kw_int(INT) unknown!(#) integer(5)"); // on one line only
     EXPECT_EQ(tokens("INT#\n5"), "typed_literal!(INT#) integer(5)");
     EXPECT_EQ(tokens("a (**)#b"), "identifier(a) unknown!(#) identifier(b)");
     EXPECT_EQ(tokens("x = Color# THEN"), "identifier(x) equal(=) identifier(Color) unknown!(#) "
-                                         "then(THEN)");
-    EXPECT_EQ(tokens("INT# THEN"), "typed_literal!(INT#) then(THEN)");
-    EXPECT_EQ(tokens("16# DO"), "based_integer!(16#) do(DO)");
+                                         "kw_then(THEN)");
+    EXPECT_EQ(tokens("INT# THEN"), "typed_literal!(INT#) kw_then(THEN)");
+    EXPECT_EQ(tokens("16# DO"), "based_integer!(16#) kw_do(DO)");
     EXPECT_EQ(tokens("%IX x"), "direct_variable!(%IX) identifier(x)");
     EXPECT_EQ(tokens("% x"), "direct_variable!(%) identifier(x)");
     EXPECT_EQ(tokens("1. 2.5"), "real(1.) real(2.5)");
@@ -190,7 +190,7 @@ TEST(Lexer, LoneNumberSign) {
     EXPECT_EQ(faults("x := #;"), "1312@5..6");
     EXPECT_EQ(tokens("foo#;"), "identifier(foo) unknown!(#) semicolon(;)");
     EXPECT_EQ(faults("foo#;"), "1312@3..4");
-    EXPECT_EQ(kinds("END_IF#"), "end_if unknown");
+    EXPECT_EQ(kinds("END_IF#"), "kw_end_if unknown");
     EXPECT_EQ(faults("THEN #5"), "1312@5..6");
     EXPECT_EQ(faults("##"), "1312@0..1 1312@1..2");
 }
@@ -377,7 +377,7 @@ TEST(Lexer, Numbers) {
         {"x.3..5", "identifier(x) dot(.) integer(3) dot_dot(..) integer(5)"},
         {"x.1.2", "identifier(x) dot(.) integer(1) dot(.) integer(2)"},
         {"a[1].5", "identifier(a) left_bracket([) integer(1) right_bracket(]) dot(.) integer(5)"},
-        {"step.5", "step(step) dot(.) integer(5)"},
+        {"step.5", "kw_step(step) dot(.) integer(5)"},
         {"123456789012345678 18446744073709551615",
          "integer(123456789012345678) integer(18446744073709551615)"},
         {"INT#-5 UINT#16#9AF BOOL#TRUE REAL#1.5E-3",
@@ -421,7 +421,7 @@ TEST(Lexer, NumbersThatAreExtensionsAreWellFormed) {
     EXPECT_EQ(tokens("1E3, 1., .5"), "real(1E3) comma(,) real(1.) comma(,) real(.5)");
     EXPECT_EQ(kinds("x := .5 + .5E3 * (.5)"),
               "identifier assign real plus real star left_parenthesis real right_parenthesis");
-    EXPECT_EQ(kinds("RETURN .5"), "return real");
+    EXPECT_EQ(kinds("RETURN .5"), "kw_return real");
     EXPECT_EQ(tokens("MyInt#5"), "typed_literal(MyInt#5)");
     EXPECT_EQ(faults("MyInt#5"), "5006@0..7");
     EXPECT_EQ(faults("MyInt#-16#FF"), "5006@0..12");
@@ -430,10 +430,35 @@ TEST(Lexer, NumbersThatAreExtensionsAreWellFormed) {
     EXPECT_EQ(tokens("REAL#1."), "typed_literal(REAL#1.)");
 }
 
+TEST(Lexer, LiteralsOfTheThirdEditionAreNamed) {
+    EXPECT_EQ(tokens("LTIME#5us;"), "duration(LTIME#5us) semicolon(;)");
+    EXPECT_EQ(tokens("ldt#2020-01-01-12:00:00;"),
+              "date_and_time(ldt#2020-01-01-12:00:00) semicolon(;)");
+    EXPECT_EQ(faults("ltod#12:00:00"), "5008@0..13");
+    EXPECT_EQ(faults("CHAR#'x'"), "5008@0..8");
+    EXPECT_EQ(faults("CHAR#x"), ""); // an enumerated value of a type with this name
+}
+
+TEST(Lexer, ValuesWithoutTheirPrefix) {
+    EXPECT_EQ(tokens("1h_30m;"), "duration!(1h_30m) semicolon(;)");
+    EXPECT_EQ(faults("100ms"), "1510@0..5");
+    EXPECT_EQ(faults("1.5s"), "1510@0..4");
+    EXPECT_EQ(tokens("0x1F"), "based_integer!(0x1F)");
+    EXPECT_EQ(faults("0x1F"), "1314@0..2");
+    EXPECT_EQ(faults("0x1G"), "1105@0..1");
+}
+
+TEST(Lexer, CharactersOfWordProcessors) {
+    EXPECT_EQ(tokens("a \u2264 b"), "identifier(a) less_equal!(\u2264) identifier(b)");
+    EXPECT_EQ(tokens("a \u2013 b"), "identifier(a) minus!(\u2013) identifier(b)");
+    EXPECT_EQ(tokens("\u2018a b\u2019;"), "single_byte_string!(\u2018a b\u2019) semicolon(;)");
+    EXPECT_EQ(faults("\u2018a\nb\u2019"), "1002@0..3 1002@6..9");
+}
+
 TEST(Lexer, NamesThatBeginWithADigit) {
     EXPECT_EQ(tokens("2nd_pump := 1;"), "identifier!(2nd_pump) assign(:=) integer(1) semicolon(;)");
     EXPECT_EQ(faults("2nd_pump"), "1105@0..1");
-    EXPECT_EQ(faults("100ms"), "1105@0..3");
+    EXPECT_EQ(faults("100ms:"), "1105@0..3");
     EXPECT_EQ(faults("1E5x"), "1105@0..1");
     EXPECT_EQ(faults("1__a_"), "1105@0..1"); // nothing else of the same word
     EXPECT_EQ(tokens("x.2nd.y"), "identifier(x) dot(.) identifier!(2nd) dot(.) identifier(y)");

@@ -38,7 +38,7 @@ inline constexpr std::size_t token_kind_count = static_cast<std::size_t>(TokenKi
 /// kind ("an integer").
 [[nodiscard]] IECFRONT_API std::string_view spelling(TokenKind kind) noexcept;
 
-/// The enumerator's name without `kw_`: `end_if`, `assign`, `integer`. Used in dumps.
+/// The enumerator's name: `kw_end_if`, `assign`, `integer`. Used in dumps.
 [[nodiscard]] IECFRONT_API std::string_view to_string(TokenKind kind) noexcept;
 
 /// One lexical element as it stands in the source: 8 bytes. White space is the gap between tokens;
