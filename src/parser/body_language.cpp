@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace iecfront {
 namespace {
 
-constexpr TokenSet chart_words{TokenKind::kw_initial_step, TokenKind::kw_step,
-                               TokenKind::kw_transition, TokenKind::kw_action};
+constexpr TokenSet step_words{TokenKind::kw_initial_step, TokenKind::kw_step, TokenKind::kw_action};
+
+constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
+                                 TokenKind::kw_end_action};
 
 constexpr TokenSet statement_words{TokenKind::kw_if,    TokenKind::kw_case,   TokenKind::kw_for,
                                    TokenKind::kw_while, TokenKind::kw_repeat, TokenKind::kw_return,
@@ -19,69 +22,117 @@ constexpr TokenSet ends{TokenKind::kw_end_function,      TokenKind::kw_end_funct
                         TokenKind::kw_end_program,       TokenKind::kw_end_type,
                         TokenKind::kw_end_configuration, TokenKind::end_of_unit};
 
+// Operators of IL that are operators of ST as well, and can begin a line there, too.
+constexpr TokenSet common_operators{TokenKind::kw_and, TokenKind::kw_or,  TokenKind::kw_xor,
+                                    TokenKind::kw_mod, TokenKind::kw_not, TokenKind::ampersand};
+
 // il_simple_operator, il_expr_operator, il_call_operator, il_return_operator, il_jump_operator, but
 // for those that are keywords (B.2.2).
-constexpr std::array<std::string_view, 40> il_operators{
+constexpr std::array<std::string_view, 36> il_operators{
     "LD", "LDN", "ST",   "STN", "S",    "R",     "S1",  "R1",   "CLK",   "CU",  "CD",   "PV",
     "IN", "PT",  "ANDN", "ORN", "XORN", "ADD",   "SUB", "MUL",  "DIV",   "GT",  "GE",   "EQ",
     "LT", "LE",  "NE",   "CAL", "CALC", "CALCN", "RET", "RETC", "RETCN", "JMP", "JMPC", "JMPCN"};
 
 bool is_il_operator(std::string_view word) noexcept {
-    return std::any_of(il_operators.begin(), il_operators.end(), [word](std::string_view op) {
-        return !op.empty() && names_equal(word, op);
-    });
+    return std::any_of(il_operators.begin(), il_operators.end(),
+                       [word](std::string_view op) { return names_equal(word, op); });
 }
 
-// What stands behind the first name of an ST statement, never behind an IL operator.
-constexpr TokenSet after_variable{TokenKind::assign,       TokenKind::equal, TokenKind::dot,
-                                  TokenKind::left_bracket, TokenKind::comma, TokenKind::semicolon};
+bool begins_operand(TokenKind kind) noexcept {
+    static constexpr TokenSet words{TokenKind::identifier,      TokenKind::enumerated_value,
+                                    TokenKind::direct_variable, TokenKind::kw_true,
+                                    TokenKind::kw_false,        TokenKind::kw_en,
+                                    TokenKind::kw_eno};
+    return words.contains(kind) ||
+           TokenSet::range(TokenKind::integer, TokenKind::date_and_time).contains(kind);
+}
 
 } // namespace
 
-/// True when the line that begins at token `index` reads as an IL instruction.
-bool Parser::begins_instruction(std::uint32_t index) const noexcept {
-    if (tokens_[index].kind() == TokenKind::identifier &&
-        tokens_[next(index)].kind() == TokenKind::colon) { // label
-        index = next(next(index));
-        if (tokens_[index].first_on_line())
-            return true;
-    }
-    static constexpr TokenSet operators{TokenKind::kw_and, TokenKind::kw_or,  TokenKind::kw_xor,
-                                        TokenKind::kw_mod, TokenKind::kw_not, TokenKind::ampersand};
-    if (operators.contains(tokens_[index].kind()))
-        return true;
-    return tokens_[index].kind() == TokenKind::identifier && is_il_operator(text(index)) &&
-           !after_variable.contains(tokens_[next(index)].kind());
+/// True when a step, transition or action begins at token `index`.
+bool Parser::begins_chart_element(std::uint32_t index) const noexcept {
+    const std::uint32_t second = next(index);
+    const TokenKind after = tokens_[second].kind();
+    if (tokens_[next(second)].kind() == TokenKind::assign)
+        return false;
+    if (tokens_[index].kind() == TokenKind::kw_transition)
+        return after == TokenKind::identifier || after == TokenKind::kw_from ||
+               after == TokenKind::left_parenthesis;
+    return step_words.contains(tokens_[index].kind()) && after == TokenKind::identifier;
 }
 
-/// The language of the body that begins here (6.2 A28). Lines speak for IL, each `;` for ST, and
-/// the majority decides, so that one mistake never turns a whole body into another language.
+/// How the line that begins at token `index` reads. What tells an instruction are two operands in a
+/// row, which ST never has: those of a name and an operand are `application`. An operator that ST
+/// has as well counts behind another instruction only: it may continue an expression.
+Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const noexcept {
+    const bool labelled = tokens_[index].kind() == TokenKind::identifier &&
+                          tokens_[next(index)].kind() == TokenKind::colon;
+    if (labelled)
+        index = next(next(index));
+    if (labelled && tokens_[index].first_on_line())
+        return before;
+    const std::uint32_t second = next(index);
+    const bool alone =
+        tokens_[second].first_on_line() || tokens_[second].kind() == TokenKind::semicolon;
+    const bool operand = !alone && begins_operand(tokens_[second].kind());
+    const bool sign = tokens_[second].kind() == TokenKind::minus && !alone;
+    if (common_operators.contains(tokens_[index].kind()))
+        return before == LineKind::other ? LineKind::other : LineKind::operation;
+    if (tokens_[index].kind() != TokenKind::identifier)
+        return LineKind::other;
+    if (is_il_operator(text(index)) && (alone || operand || sign))
+        return LineKind::operation;
+    return operand ? LineKind::application : LineKind::other;
+}
+
+/// The language of the body that begins here (6.2 A28). Each line that reads as an instruction
+/// speaks for IL, each `;`, `:=` and statement for ST, and the majority decides, so that one
+/// mistake never turns a whole body into another language.
 ast::BodyLanguage Parser::body_language() const noexcept {
-    const TokenKind after = peek();
-    if (at(chart_words) &&
-        (after == TokenKind::identifier || after == TokenKind::kw_from ||
-         after == TokenKind::left_parenthesis) &&
-        peek_second() != TokenKind::assign)
+    constexpr std::int32_t decisive_lead = 10; // a long body need not be looked through
+    if (begins_chart_element(at_))
         return ast::BodyLanguage::sequential_function_chart;
-    if (at(statement_words) || after_variable.contains(after))
-        return ast::BodyLanguage::structured_text;
-    std::uint32_t instructions = 0;
-    std::uint32_t statements = 0;
-    bool operator_line = false; // the line of an instruction can hold a stray `;`
+    std::int32_t instructions = 0;
+    std::int32_t statements = 0;
+    std::int32_t chart_words = 0;
+    std::uint32_t depth = 0; // of parentheses
+    LineKind line = LineKind::operation;
     for (std::uint32_t i = at_; !ends.contains(tokens_[i].kind()); i = next(i)) {
-        if (i == at_ || tokens_[i].first_on_line()) {
-            operator_line = begins_instruction(i);
-            instructions += operator_line ? 1 : 0;
+        const TokenKind here = tokens_[i].kind();
+        if (here == open_.back().closer || std::abs(instructions - statements) >= decisive_lead)
+            break;
+        if ((i == at_ || tokens_[i].first_on_line()) && here != TokenKind::right_parenthesis) {
+            line = line_kind(i, line);
+            instructions += line == LineKind::other ? 0 : 1;
         }
-        const bool assigns = tokens_[i].kind() == TokenKind::assign;
-        statements += (tokens_[i].kind() == TokenKind::semicolon && !operator_line) ||
-                              (statement_words.contains(tokens_[i].kind()))
-                          ? 1
-                          : 0;
-        operator_line = operator_line && !assigns;
+        if (chart_closers.contains(here) || begins_chart_element(i))
+            if (++chart_words == 2)
+                return ast::BodyLanguage::sequential_function_chart;
+        const bool call = line == LineKind::other && depth == 0 && i > at_ &&
+                          tokens_[i - 1].kind() == TokenKind::identifier &&
+                          !is_il_operator(text(i - 1));
+        switch (here) {
+        case TokenKind::left_parenthesis:
+            // Behind the parenthesis of an IL call the line ends.
+            statements += call && !tokens_[next(i)].first_on_line() ? 1 : 0;
+            ++depth;
+            break;
+        case TokenKind::right_parenthesis: depth -= depth > 0 ? 1 : 0; break;
+        case TokenKind::assign:
+        case TokenKind::equal: statements += line == LineKind::other && depth == 0 ? 1 : 0; break;
+        case TokenKind::semicolon:
+            depth = 0;
+            statements += line == LineKind::operation ? 0 : 1;
+            instructions -= line == LineKind::application ? 1 : 0;
+            line = line == LineKind::application ? LineKind::other : line;
+            break;
+        default: statements += statement_words.contains(here) ? 1 : 0;
+        }
     }
-    return instructions > statements ? ast::BodyLanguage::instruction_list
-                                     : ast::BodyLanguage::structured_text;
+    if (chart_words > statements + instructions)
+        return ast::BodyLanguage::sequential_function_chart;
+    return instructions > statements || statements == 0 ? ast::BodyLanguage::instruction_list
+                                                        : ast::BodyLanguage::structured_text;
 }
 
 } // namespace iecfront

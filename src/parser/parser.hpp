@@ -341,7 +341,10 @@ private:
     const ast::Body* parse_unexamined_body(ast::BodyLanguage language);
     const ast::Body* parse_empty_body();
     [[nodiscard]] ast::BodyLanguage body_language() const noexcept; // body_language.cpp
-    [[nodiscard]] bool begins_instruction(std::uint32_t index) const noexcept;
+    enum class LineKind { operation, application, other };
+    [[nodiscard]] LineKind line_kind(std::uint32_t index, LineKind before) const noexcept;
+    [[nodiscard]] bool begins_chart_element(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool body_begins_in_head() const noexcept;
 
     // ---- configuration.cpp: B.1.7
     const ast::ConfigurationDeclaration* parse_configuration_declaration();

@@ -66,11 +66,23 @@ void Parser::skip_rest_of_head() {
         return;
     }
     if (token().first_on_line() || at(block_openers) || at(library_element_closers) ||
-        at_statement_start())
+        at_statement_start() || body_begins_in_head())
         return;
     report_unexpected("a declaration block or the body");
     while (!token().first_on_line() && !at(block_openers) && !at(library_element_closers))
         advance();
+}
+
+/// An instruction or a chart on the line of the head, with no declarations behind it.
+bool Parser::body_begins_in_head() const noexcept {
+    if (begins_chart_element(at_))
+        return true;
+    std::uint32_t line = at_;
+    while (line == at_ || (line < count_ && !tokens_[line].first_on_line()))
+        line = next(line);
+    return line_kind(at_, LineKind::operation) != LineKind::other &&
+           !block_openers.contains(tokens_[line].kind()) &&
+           body_language() == ast::BodyLanguage::instruction_list;
 }
 
 // function_block_declaration = "FUNCTION_BLOCK" derived_function_block_name
@@ -131,9 +143,11 @@ ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place plac
 // function_body = instruction_list | statement_list ;
 // function_block_body = sequential_function_chart | instruction_list | statement_list ;
 const ast::Body* Parser::parse_body() {
-    if (at(library_element_closers))
+    if (at(library_element_closers) || at_misspelt_closer())
         return parse_empty_body();
     const ast::BodyLanguage language = body_language();
+    if (language == ast::BodyLanguage::sequential_function_chart && place_ == Place::function)
+        report(DiagnosticId::chart_in_function, token().range());
     if (language != ast::BodyLanguage::structured_text)
         return parse_unexamined_body(language);
     return parse_statement_list("in a body");
@@ -155,10 +169,10 @@ const ast::Body* Parser::parse_unexamined_body(ast::BodyLanguage language) {
     const std::uint32_t first = at_;
     while (!at(library_element_closers) && !at_misspelt_closer())
         advance();
-    report(language == ast::BodyLanguage::instruction_list
-               ? DiagnosticId::instruction_list_unexamined
-               : DiagnosticId::chart_unexamined,
-           tokens_[first].range());
+    if (language == ast::BodyLanguage::instruction_list)
+        report(DiagnosticId::instruction_list_unexamined, tokens_[first].range());
+    else if (place_ != Place::function) // where it was reported that there is a chart
+        report(DiagnosticId::chart_unexamined, tokens_[first].range());
     return finish(body);
 }
 

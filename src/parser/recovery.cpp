@@ -200,7 +200,7 @@ bool Parser::at_statement_start() const noexcept {
         return true;
     if (at(TokenKind::direct_variable))
         return peek() == TokenKind::assign;
-    if (!at(TokenKind::identifier) && !at(TokenKind::kw_eno))
+    if (!at(TokenKind::identifier) && !at(TokenKind::kw_en) && !at(TokenKind::kw_eno))
         return false;
     static constexpr TokenSet after_name{TokenKind::assign, TokenKind::left_parenthesis,
                                          TokenKind::left_bracket, TokenKind::dot};
