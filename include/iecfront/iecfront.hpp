@@ -1,9 +1,13 @@
 #pragma once
 
 /// Everything iecfront offers. Start with `parse`.
+#include <iecfront/ast/attached_comments.hpp>
+#include <iecfront/ast/document_symbols.hpp>
 #include <iecfront/ast/dump.hpp>
+#include <iecfront/ast/editor_ranges.hpp>
 #include <iecfront/ast/nodes.hpp>
 #include <iecfront/ast/syntax_tree.hpp>
+#include <iecfront/ast/token_classes.hpp>
 #include <iecfront/ast/visitor.hpp>
 #include <iecfront/diagnostics/diagnostic.hpp>
 #include <iecfront/diagnostics/render_json.hpp>

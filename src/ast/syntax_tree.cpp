@@ -164,6 +164,29 @@ SyntaxTree::Path SyntaxTree::node_at(std::uint32_t offset) const {
     return path;
 }
 
+std::optional<SyntaxTree::TokenPlace>
+SyntaxTree::token_before(std::uint32_t offset) const noexcept {
+    const Slot* slot = &slot_at(offset);
+    for (;;) {
+        const std::span<const Token> tokens = slot->unit->tokens();
+        const auto behind = std::partition_point(tokens.begin(), tokens.end(), [&](Token token) {
+            return slot->offset + token.offset() < offset;
+        });
+        if (behind != tokens.begin())
+            return TokenPlace{slot, static_cast<std::uint32_t>(behind - tokens.begin() - 1)};
+        if (slot == slots_->data())
+            return std::nullopt;
+        --slot;
+    }
+}
+
+std::optional<SyntaxTree::TokenPlace> SyntaxTree::token_at(std::uint32_t offset) const noexcept {
+    if (offset >= size_)
+        return std::nullopt;
+    const std::optional<TokenPlace> place = token_before(offset + 1);
+    return place && place->range().contains(offset) ? place : std::nullopt;
+}
+
 bool operator==(const SyntaxTree& a, const SyntaxTree& b) {
     return std::ranges::equal(a.slots(), b.slots(), [](const Slot& left, const Slot& right) {
         return left.unit == right.unit || *left.unit == *right.unit;

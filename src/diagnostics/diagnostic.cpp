@@ -266,14 +266,31 @@ std::string_view to_string(Severity severity) noexcept {
     return "error";
 }
 
-Diagnostic shifted(Diagnostic diagnostic, std::uint32_t distance) {
-    diagnostic.range = diagnostic.range.shifted(distance);
+namespace {
+
+template<class Move>
+Diagnostic with_moved_ranges(Diagnostic diagnostic, Move move) {
+    diagnostic.range = move(diagnostic.range);
     for (DiagnosticLabel& label : diagnostic.labels)
-        label.range = label.range.shifted(distance);
+        label.range = move(label.range);
     for (DiagnosticFix& fix : diagnostic.fixes)
         for (TextEdit& edit : fix.edits)
-            edit.range = edit.range.shifted(distance);
+            edit.range = move(edit.range);
     return diagnostic;
+}
+
+} // namespace
+
+Diagnostic shifted(Diagnostic diagnostic, std::uint32_t distance) {
+    return with_moved_ranges(std::move(diagnostic),
+                             [distance](TextRange range) { return range.shifted(distance); });
+}
+
+Diagnostic mapped(Diagnostic diagnostic,
+                  const std::function<std::uint32_t(std::uint32_t offset)>& map) {
+    return with_moved_ranges(std::move(diagnostic), [&map](TextRange range) {
+        return TextRange{map(range.begin), map(range.end)};
+    });
 }
 
 std::string message(const Diagnostic& diagnostic, Encoding encoding) {

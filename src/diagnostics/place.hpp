@@ -15,12 +15,14 @@ namespace iecfront {
     return {begin, std::clamp(range.end, begin, size)};
 }
 
-/// Line and column of `offset` as people count them: in characters.
+/// Line and column of `offset` as people count them: in characters. For a piece of a file they are
+/// those in the file.
 [[nodiscard]] inline Position position_of(std::uint32_t offset, const SourceText& source,
                                           const LineTable& lines) noexcept {
     const std::uint32_t line = lines.line_of(offset);
-    return {line + 1, column_of(source.bytes(), lines.line_start(line), offset, source.encoding(),
-                                ColumnUnit::code_points)};
+    const std::uint32_t column = column_of(source.bytes(), lines.line_start(line), offset,
+                                           source.encoding(), ColumnUnit::code_points);
+    return {line + source.origin().line, line == 0 ? column + source.origin().column - 1 : column};
 }
 
 } // namespace iecfront

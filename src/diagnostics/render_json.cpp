@@ -108,8 +108,8 @@ private:
         object.member("column", begin.column);
         object.member("endLine", end.line);
         object.member("endColumn", end.column);
-        object.member("offset", within.begin);
-        object.member("endOffset", within.end);
+        object.member("offset", source_.origin().offset + within.begin);
+        object.member("endOffset", source_.origin().offset + within.end);
     }
 
     void write_label(const DiagnosticLabel& label) {
@@ -130,8 +130,8 @@ private:
     void write_edit(const TextEdit& edit) {
         const TextRange within = range_within(edit.range, source_);
         JsonObject object(out_);
-        object.member("offset", within.begin);
-        object.member("endOffset", within.end);
+        object.member("offset", source_.origin().offset + within.begin);
+        object.member("endOffset", source_.origin().offset + within.end);
         object.name("text");
         append_json_string(out_, edit.replacement, source_.encoding());
         object.close();

@@ -213,7 +213,7 @@ private:
             return;
         const TextRange within = range_within(range, source_);
         const Snippet snippet = SnippetBuilder(source_, lines_, within).build();
-        write_gutter(std::to_string(lines_.line_of(within.begin) + 1));
+        write_gutter(std::to_string(lines_.line_of(within.begin) + source_.origin().line));
         if (!snippet.text.empty())
             out_ += ' ' + snippet.text;
         out_ += '\n';
@@ -235,7 +235,7 @@ private:
         std::uint32_t last = lines_.line_of(range_within(diagnostic.range, source_).begin);
         for (const DiagnosticLabel& label : diagnostic.labels)
             last = std::max(last, lines_.line_of(range_within(label.range, source_).begin));
-        return 2 + std::to_string(std::uint64_t{last} + 1).size();
+        return 2 + std::to_string(std::uint64_t{last} + source_.origin().line).size();
     }
 
     void coloured(std::string_view colour, std::string_view text) {

@@ -95,8 +95,8 @@ SyntaxTree SyntaxTree::edited(TextRange range, std::string_view replacement) con
     for (std::size_t more = 2;; more *= 4) {
         const std::size_t end = std::min(last + more, old.size());
         auto text = edited_text(old, first, end, range, replacement);
-        LexedUnits units =
-            lex_units(std::make_shared<const std::string>(std::move(text)), encoding_, first == 0);
+        LexedUnits units = lex_units(std::make_shared<const std::string>(std::move(text)),
+                                     encoding_, first == 0, options_.read_as);
         const auto in_step =
             end == old.size() ? std::nullopt : find_in_step(units, old, first, last, growth);
         if (end < old.size() && !in_step)

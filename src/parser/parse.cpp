@@ -27,7 +27,7 @@ SyntaxTree refuse(const SourceText& source, const ParseOptions& options) {
 SyntaxTree parse(const SourceText& source, const ParseOptions& options) {
     if (source.too_large())
         return refuse(source, options);
-    const LexedUnits lexed = lex_units(source.buffer(), source.encoding(), true);
+    const LexedUnits lexed = lex_units(source.buffer(), source.encoding(), true, options.read_as);
     return {source.name(), source.encoding(), parse_units(lexed, options), options};
 }
 

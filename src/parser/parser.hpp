@@ -37,6 +37,9 @@ public:
     // ---- library.cpp: B.0
     const ast::LibraryUnit* parse_library_unit();
 
+    // ---- fragment.cpp
+    const ast::LibraryUnit* parse_fragment(FragmentKind kind);
+
     [[nodiscard]] std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
 
 private:

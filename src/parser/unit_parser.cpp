@@ -35,7 +35,7 @@ public:
             parts.diagnostics.push_back(std::move(*broken));
 
         Parser parser(parts.text, tokens, parts.arena, options_);
-        parts.root = parser.parse_library_unit();
+        parts.root = parser.parse_fragment(options_.read_as);
         append_sorted(parts.diagnostics, parser.take_diagnostics());
         begin_ = end;
         return std::make_shared<const Unit>(std::move(parts));
@@ -133,10 +133,13 @@ std::uint32_t LexedUnits::unit_end(std::size_t index) const noexcept {
 }
 
 LexedUnits lex_units(std::shared_ptr<const std::string> buffer, Encoding encoding,
-                     bool at_file_start) {
+                     bool at_file_start, FragmentKind read_as) {
     LexedUnits result{std::move(buffer), encoding, {}, {}};
     result.lexed = lex(*result.buffer, encoding, at_file_start);
-    result.cuts = cut_units(result.lexed.tokens);
+    if (read_as == FragmentKind::library)
+        result.cuts = cut_units(result.lexed.tokens);
+    else
+        result.cuts.push_back({static_cast<std::uint32_t>(result.lexed.tokens.size() - 1)});
     return result;
 }
 

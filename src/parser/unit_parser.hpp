@@ -28,10 +28,10 @@ struct LexedUnits {
     [[nodiscard]] std::uint32_t unit_end(std::size_t index) const noexcept;
 };
 
-/// Lexes and cuts. `at_file_start` says whether the stretch begins a file: a byte order mark can
-/// stand there, and its first token is the first on its line.
+/// Lexes and cuts; a fragment is one unit. `at_file_start` says whether the stretch begins a file:
+/// a byte order mark can stand there, and its first token is the first on its line.
 [[nodiscard]] LexedUnits lex_units(std::shared_ptr<const std::string> buffer, Encoding encoding,
-                                   bool at_file_start);
+                                   bool at_file_start, FragmentKind read_as);
 
 /// True when a diagnostic of the lexer at `range` concerns what stands before `end`, where a unit
 /// ends. An empty range marks the place behind a token where something is missing.

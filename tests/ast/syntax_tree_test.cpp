@@ -219,4 +219,27 @@ TEST(SyntaxTreeEquality, SeesEachUnit) {
     EXPECT_FALSE(tree == tree_of_texts({"ab"}));
 }
 
+TEST(SyntaxTree, FindsTokensByOffset) {
+    const SyntaxTree tree = tree_of_texts({"ab  c ", " d"});
+    const auto at = [&](std::uint32_t offset) {
+        const auto place = tree.token_at(offset);
+        return place ? place->range().begin : 99U;
+    };
+    EXPECT_EQ(at(0), 0U);
+    EXPECT_EQ(at(1), 0U);
+    EXPECT_EQ(at(2), 99U);
+    EXPECT_EQ(at(4), 4U);
+    EXPECT_EQ(at(7), 7U);
+    EXPECT_EQ(at(8), 99U); // end of text
+    const auto before = [&](std::uint32_t offset) {
+        const auto place = tree.token_before(offset);
+        return place ? place->range().begin : 99U;
+    };
+    EXPECT_EQ(before(0), 99U);
+    EXPECT_EQ(before(2), 0U);
+    EXPECT_EQ(before(4), 0U);
+    EXPECT_EQ(before(7), 4U);
+    EXPECT_EQ(before(8), 7U);
+}
+
 } // namespace

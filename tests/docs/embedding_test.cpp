@@ -126,12 +126,13 @@ TEST(Embedding, NodeAt) {
     iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
     std::uint32_t cursor = tree.offset({5, 9});
 
-    iecfront::SyntaxTree::Path path = tree.node_at(cursor);
-    for (auto node = path.nodes.rbegin(); node != path.nodes.rend(); ++node)
-        if (const auto* loop = iecfront::ast::as<iecfront::ast::ForStatement>(*node))
-            std::printf("in the loop over %.*s\n",
-                        static_cast<int>(path.slot->unit->text(*loop->control_variable).size()),
-                        path.slot->unit->text(*loop->control_variable).data());
+    iecfront::SyntaxTree::Path path = tree.node_at(cursor); // from the root to the innermost node
+    if (const auto* loop = path.find<iecfront::ast::ForStatement>()) {
+        const std::string_view variable = path.slot->unit->text(*loop->control_variable);
+        std::printf("in the loop over %.*s\n", static_cast<int>(variable.size()), variable.data());
+    }
+
+    EXPECT_NE(path.find<iecfront::ast::ForStatement>(), nullptr);
 
     EXPECT_TRUE(iecfront::ast::is<iecfront::ast::VariableName>(path.nodes.back()->kind));
 }
@@ -213,6 +214,50 @@ TEST(Embedding, Edits) {
 
     EXPECT_NE(after.slots()[0].unit, before.slots()[0].unit); // touched, and read again
     EXPECT_EQ(after, iecfront::parse(after.source()));
+}
+
+TEST(Embedding, EditorQueries) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+    std::string outline;
+    std::vector<std::string> variables;
+
+    for (const iecfront::DocumentSymbol& symbol : iecfront::document_symbols(tree))
+        outline += std::string(to_string(symbol.kind)) + ' ' + std::string(symbol.name) + '\n';
+
+    const iecfront::Unit& unit = *tree.slots()[0].unit;
+    for (const iecfront::ClassifiedToken& token : iecfront::token_classes(unit))
+        if (token.token_class == iecfront::TokenClass::variable)
+            variables.emplace_back(unit.text(token.range));
+
+    EXPECT_EQ(outline, "function_block Counter\n");
+    EXPECT_EQ(variables, (std::vector<std::string>{"final", "count", "count", "final"}));
+}
+
+TEST(Embedding, Fragments) {
+    iecfront::ParseOptions options;
+    options.read_as = iecfront::FragmentKind::expression;
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText("count + 1"), options);
+    const iecfront::ast::Node* expression = tree.slots()[0].unit->root().elements[0];
+
+    EXPECT_TRUE(iecfront::ast::is<iecfront::ast::BinaryExpression>(expression->kind));
+
+    iecfront::SourceText piece("count + + 1", "plant.xml");
+    piece = piece.at({.offset = 2049, .line = 88, .column = 13});
+    iecfront::SyntaxTree placed = iecfront::parse(piece, options);
+    std::string report = iecfront::render_text(placed.diagnostics(), piece); // plant.xml:88:21
+
+    EXPECT_TRUE(report.starts_with("plant.xml:88:21: ")) << report;
+}
+
+TEST(Embedding, MappedFindings) {
+    const iecfront::Diagnostic found{iecfront::DiagnosticId::missing_semicolon, {2, 3}, {}, {}, {}};
+    const std::vector<std::uint32_t> offset_in_file{100, 101, 102, 106};
+
+    iecfront::Diagnostic in_file = iecfront::mapped(found, [&](std::uint32_t offset) {
+        return offset_in_file[offset]; // begins and ends of ranges
+    });
+
+    EXPECT_EQ(in_file.range, (iecfront::TextRange{102, 106}));
 }
 
 TEST(Embedding, Comments) {

@@ -146,11 +146,13 @@ struct SkippedText : Node {
     static constexpr auto members() { return std::tuple{}; }
 };
 
-/// The root of a unit: at most one library element declaration, and what else stands there.
+/// The root of a unit: at most one library element declaration, and what else stands there. For a
+/// text that is read as a fragment, what the fragment consists of.
 struct LibraryUnit : Node {
     static constexpr NodeKind node_kind = NodeKind::library_unit;
     LibraryUnit() noexcept : Node(node_kind) {}
-    /// A `LibraryElement`, with `SkippedText` before or after it where something is wrong.
+    /// A `LibraryElement`, with `SkippedText` before or after it where something is wrong. Of a
+    /// fragment a `Body`, an `Expression`, or any number of `VariableDeclarations`.
     List<Node> elements;
 
     static constexpr auto members() {

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,8 +17,19 @@
 
 namespace iecfront {
 
+/// What a text is read as. Programs also live in pieces: in XML, in databases, in panes of editors.
+enum class FragmentKind : std::uint8_t {
+    library,               ///< a file: any number of library element declarations (B.0)
+    body,                  ///< function_block_body, in any language (B.1.5.2)
+    statement_list,        ///< B.3.2
+    expression,            ///< B.3.1
+    variable_declarations, ///< any number of blocks, as in a PROGRAM (B.1.4.3)
+};
+
 /// What can be set about parsing.
 struct ParseOptions {
+    /// All but a library is one unit, whose `root().elements` are the body, expression or blocks.
+    FragmentKind read_as = FragmentKind::library;
     /// How deep parentheses, statements and initial values can nest. What is nested deeper is kept
     /// but not examined, and reported (`nesting-too-deep`; Annex D, 3.3.1 and 3.3.2). Bounds the
     /// stack that parsing needs: about 1 kB a level in a Release build.
@@ -77,8 +89,34 @@ public:
     struct Path {
         const Slot* slot;
         std::vector<const ast::Node*> nodes; ///< outermost first
+
+        /// The innermost node on the way that is a `T`, which may be a category; null for none.
+        template<class T>
+        [[nodiscard]] const T* find() const noexcept {
+            for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+                if (const T* found = ast::as<T>(*node))
+                    return found;
+            return nullptr;
+        }
     };
     [[nodiscard]] Path node_at(std::uint32_t offset) const;
+
+    /// A token of the tree.
+    struct TokenPlace {
+        const Slot* slot;
+        std::uint32_t index; ///< in `slot->unit->tokens()`
+
+        [[nodiscard]] Token token() const noexcept { return slot->unit->tokens()[index]; }
+        /// Counted from the start of the file.
+        [[nodiscard]] TextRange range() const noexcept {
+            return token().range().shifted(slot->offset);
+        }
+    };
+    /// The token that holds the byte at `offset`; nothing between tokens and in comments.
+    [[nodiscard]] std::optional<TokenPlace> token_at(std::uint32_t offset) const noexcept;
+    /// The last token that begins before `offset`: what an editor completes, or completes behind.
+    /// Nothing before the first one.
+    [[nodiscard]] std::optional<TokenPlace> token_before(std::uint32_t offset) const noexcept;
 
     /// The tree of the text in which `replacement` stands in the place of the bytes in `range`.
     /// Only units that the edit can touch are read again, the others are shared. Always equal to

@@ -5,6 +5,7 @@
 #include <iecfront/source/text_range.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -109,6 +110,13 @@ struct Diagnostic {
 
 /// The same finding `distance` bytes further on, with all its labels and fixes.
 [[nodiscard]] IECFRONT_API Diagnostic shifted(Diagnostic diagnostic, std::uint32_t distance);
+
+/// The same finding with each offset replaced by what `map` gives for it: from a piece of text to
+/// the file that holds it in another form, such as XML with its entities. `map` must not let
+/// offsets change their order; it is asked for begins and ends of ranges. What the fixes put in is
+/// left as it is, for the caller to write in the form of the file.
+[[nodiscard]] IECFRONT_API Diagnostic
+mapped(Diagnostic diagnostic, const std::function<std::uint32_t(std::uint32_t offset)>& map);
 
 /// The message in words: the row's text with its arguments put in. The result is UTF-8 on one line;
 /// what cannot be seen is spelled out (`\x1B`), and a long argument loses its middle. `encoding` is

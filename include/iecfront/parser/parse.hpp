@@ -6,8 +6,9 @@
 
 namespace iecfront {
 
-/// Reads `source` as a library of element declarations (B.0). Never fails: whatever the bytes, the
-/// result has a tree that gives all of them back, and the findings in `SyntaxTree::diagnostics()`.
+/// Reads `source` as a library of element declarations (B.0), or as what `ParseOptions::read_as`
+/// says. Never fails: whatever the bytes, the result has a tree that gives all of them back, and
+/// the findings in `SyntaxTree::diagnostics()`.
 [[nodiscard]] IECFRONT_API SyntaxTree parse(const SourceText& source,
                                             const ParseOptions& options = {});
 

@@ -12,6 +12,15 @@
 
 namespace iecfront {
 
+/// Where a text begins in the file that it is a piece of.
+struct Origin {
+    std::uint32_t offset = 0; ///< in bytes, of the text's first byte
+    std::uint32_t line = 1;   ///< 1-based, of the text's first line
+    std::uint32_t column = 1; ///< 1-based, of the text's first character, in code points
+
+    friend constexpr bool operator==(Origin, Origin) noexcept = default;
+};
+
 /// The bytes of one source file, with the name to report them under. Immutable; copies share the
 /// bytes, and so may be handed to several threads.
 class IECFRONT_API SourceText {
@@ -37,6 +46,16 @@ public:
     [[nodiscard]] Encoding encoding() const noexcept { return encoding_; }
     [[nodiscard]] bool too_large() const noexcept { return too_large_; }
 
+    /// The same text as a piece of a larger file, whose `name` this is: the renderers of
+    /// diagnostics give places in that file, if it has the piece byte for byte. (Otherwise see
+    /// `mapped`.)
+    [[nodiscard]] SourceText at(Origin origin) const {
+        SourceText piece = *this;
+        piece.origin_ = origin;
+        return piece;
+    }
+    [[nodiscard]] Origin origin() const noexcept { return origin_; }
+
     /// The shared bytes themselves, for whoever keeps views into them.
     [[nodiscard]] const std::shared_ptr<const std::string>& buffer() const noexcept {
         return buffer_;
@@ -47,6 +66,7 @@ private:
     std::string name_;
     Encoding encoding_;
     bool too_large_ = false;
+    Origin origin_;
 };
 
 } // namespace iecfront

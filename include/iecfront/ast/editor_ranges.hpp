@@ -1,0 +1,36 @@
+#pragma once
+
+#include <iecfront/ast/syntax_tree.hpp>
+#include <iecfront/export.hpp>
+#include <iecfront/source/text_range.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace iecfront {
+
+/// What an editor can fold away.
+enum class FoldingKind : std::uint8_t {
+    code,    ///< a library element, a declaration block, a statement, a step ...
+    comment, ///< a comment of several lines, or several that follow each other on their own lines
+};
+
+/// Lines that can be folded, leaving the first one.
+struct FoldingRange {
+    std::uint32_t first_line = 1; ///< 1-based
+    std::uint32_t last_line = 1;  ///< 1-based, above `first_line`
+    FoldingKind kind{};
+
+    friend constexpr bool operator==(FoldingRange, FoldingRange) noexcept = default;
+};
+
+/// All of them, ordered by their first line; on one line only the longest begins.
+[[nodiscard]] IECFRONT_API std::vector<FoldingRange> folding_ranges(const SyntaxTree& tree);
+
+/// What an editor selects around `offset` when it is asked for more and more: the token or comment
+/// there, each node around it, the unit, the file. Each range contains the one before it and is
+/// larger. Counted from the start of the file.
+[[nodiscard]] IECFRONT_API std::vector<TextRange> selection_ranges(const SyntaxTree& tree,
+                                                                   std::uint32_t offset);
+
+} // namespace iecfront

@@ -1,0 +1,76 @@
+#include <iecfront/ast/token_classes.hpp>
+#include <iecfront/parser/parse.hpp>
+
+#include <gtest/gtest.h>
+#include <map>
+#include <string>
+
+using namespace iecfront;
+
+namespace {
+
+// The class of each token by its text; the last of several with the same text.
+std::map<std::string, std::string> classes(const std::string& text) {
+    const SyntaxTree tree = parse(SourceText(text));
+    std::map<std::string, std::string> result;
+    for (const SyntaxTree::Slot& slot : tree.slots())
+        for (const ClassifiedToken& token : token_classes(*slot.unit))
+            result[std::string(slot.unit->text(token.range))] = to_string(token.token_class);
+    return result;
+}
+
+TEST(TokenClasses, ClassTokensByTheirKind) {
+    auto found = classes("PROGRAM p x := NOT y AND (%IX1 <> 5); s := 'a'; t := T#5s; b := TRUE;"
+                         "{pragma} (* comment *) END_PROGRAM");
+    EXPECT_EQ(found["PROGRAM"], "keyword");
+    EXPECT_EQ(found["x"], "variable");
+    EXPECT_EQ(found[":="], "operator_sign");
+    EXPECT_EQ(found["NOT"], "operator_sign");
+    EXPECT_EQ(found["("], "delimiter");
+    EXPECT_EQ(found["%IX1"], "direct_variable");
+    EXPECT_EQ(found["5"], "number");
+    EXPECT_EQ(found["'a'"], "string");
+    EXPECT_EQ(found["T#5s"], "time");
+    EXPECT_EQ(found["TRUE"], "boolean");
+    EXPECT_EQ(found["{pragma}"], "pragma");
+    EXPECT_EQ(found["(* comment *)"], "comment");
+}
+
+TEST(TokenClasses, ClassNamesByTheirPlace) {
+    auto found = classes("FUNCTION_BLOCK fb VAR v : MyType := (element := red); w : INT; END_VAR\n"
+                         "v.field := calc(arg := w, out => w); inst(in1 := C#blue);\n"
+                         "END_FUNCTION_BLOCK");
+    EXPECT_EQ(found["fb"], "library_element");
+    EXPECT_EQ(found["MyType"], "type_name");
+    EXPECT_EQ(found["INT"], "type_name");
+    EXPECT_EQ(found["element"], "field");
+    EXPECT_EQ(found["field"], "field");
+    EXPECT_EQ(found["calc"], "function");
+    EXPECT_EQ(found["arg"], "parameter");
+    EXPECT_EQ(found["out"], "parameter");
+    EXPECT_EQ(found["inst"], "variable");
+    EXPECT_EQ(found["C#blue"], "enumerated_value");
+}
+
+TEST(TokenClasses, ClassNamesOfConfigurations) {
+    auto found =
+        classes("CONFIGURATION c RESOURCE r ON cpu TASK t (INTERVAL := T#1s, PRIORITY := 1);"
+                " PROGRAM i WITH t : prog; END_RESOURCE END_CONFIGURATION");
+    EXPECT_EQ(found["c"], "library_element");
+    EXPECT_EQ(found["r"], "configuration_element");
+    EXPECT_EQ(found["cpu"], "type_name");
+    EXPECT_EQ(found["INTERVAL"], "parameter");
+    EXPECT_EQ(found["i"], "configuration_element");
+    EXPECT_EQ(found["prog"], "type_name");
+}
+
+TEST(TokenClasses, AreInOrderAndLeaveNothingOut) {
+    const SyntaxTree tree = parse(SourceText("(*a*) PROGRAM (*b*) p ? ; (*c*) END_PROGRAM (*d*)"));
+    const Unit& unit = *tree.slots()[0].unit;
+    const std::vector<ClassifiedToken> found = token_classes(unit);
+    EXPECT_EQ(found.size(), unit.tokens().size() + unit.trivia().size());
+    for (std::size_t i = 1; i < found.size(); ++i)
+        EXPECT_LE(found[i - 1].range.end, found[i].range.begin);
+}
+
+} // namespace

@@ -1,0 +1,106 @@
+#include "support/invariants.hpp"
+
+#include <iecfront/ast/dump.hpp>
+#include <iecfront/diagnostics/render_json.hpp>
+#include <iecfront/diagnostics/render_text.hpp>
+#include <iecfront/parser/parse.hpp>
+
+#include <gtest/gtest.h>
+#include <string>
+
+using namespace iecfront;
+using iecfront::test::expect_invariants;
+
+namespace {
+
+ParseOptions as(FragmentKind kind) {
+    ParseOptions options;
+    options.read_as = kind;
+    return options;
+}
+
+// The elements of the one unit as S-expressions, and the codes of what is found.
+std::string read(const std::string& text, FragmentKind kind) {
+    const SourceText source(text);
+    expect_invariants(source, as(kind));
+    const SyntaxTree tree = parse(source, as(kind));
+    EXPECT_EQ(tree.slots().size(), 1U);
+    std::string out;
+    for (const ast::Node* element : tree.slots()[0].unit->root().elements)
+        out += (out.empty() ? "" : " ") + s_expression(*tree.slots()[0].unit, *element);
+    for (const Diagnostic& diagnostic : tree.diagnostics())
+        out += ' ' + code_string(diagnostic.id);
+    return out;
+}
+
+TEST(Fragment, AnExpression) {
+    EXPECT_EQ(read("a + 1", FragmentKind::expression),
+              "(binary_expression + left:(variable_name \"a\") right:(integer_literal \"1\"))");
+    EXPECT_EQ(read("", FragmentKind::expression), "(error_expression missing) IEC2009");
+}
+
+TEST(Fragment, AStatementList) {
+    EXPECT_EQ(read("a := 1; RETURN;", FragmentKind::statement_list),
+              "(statement_list [(assignment_statement variable:(variable_name \"a\") "
+              "expression:(integer_literal \"1\")) (return_statement \"RETURN\")])");
+}
+
+TEST(Fragment, BlocksOfDeclarations) {
+    EXPECT_EQ(
+        read("VAR_INPUT a : INT; END_VAR VAR END_VAR", FragmentKind::variable_declarations),
+        "(variable_declarations var_input [(variable_declaration names:[\"a\"] "
+        "specification:(elementary_type_name \"INT\"))]) (variable_declarations var) IEC5102");
+    EXPECT_EQ(read("", FragmentKind::variable_declarations), "");
+}
+
+TEST(Fragment, ABodyInAnyLanguage) {
+    EXPECT_EQ(read("a := 1;", FragmentKind::body).substr(0, 16), "(statement_list ");
+    EXPECT_NE(read("LD a\nST b\n", FragmentKind::body).substr(0, 16), "(statement_list ");
+}
+
+TEST(Fragment, WhatIsLeftOverIsReportedOnce) {
+    EXPECT_EQ(read("a b c d", FragmentKind::expression),
+              "(variable_name \"a\") (skipped_text \"b c d\") IEC2008");
+    EXPECT_EQ(read("VAR a : INT; END_VAR a := 1; b := 2;", FragmentKind::variable_declarations),
+              "(variable_declarations var [(variable_declaration names:[\"a\"] "
+              "specification:(elementary_type_name \"INT\"))]) "
+              "(skipped_text \"a := 1; b := 2;\") IEC2008");
+    EXPECT_EQ(read("a := 1; END_PROGRAM", FragmentKind::statement_list),
+              "(statement_list [(assignment_statement variable:(variable_name \"a\") "
+              "expression:(integer_literal \"1\"))]) (skipped_text \"END_PROGRAM\") IEC2008");
+}
+
+TEST(Fragment, LibraryElementsAreNoUnitsInIt) {
+    const SyntaxTree tree = parse(SourceText("PROGRAM p ; END_PROGRAM PROGRAM q ; END_PROGRAM"),
+                                  as(FragmentKind::statement_list));
+    EXPECT_EQ(tree.slots().size(), 1U);
+}
+
+TEST(Fragment, ReportsCarryThePlacesOfTheFileAroundIt) {
+    const SourceText piece("a := 1\nb = 2;", "plant.xml");
+    const SyntaxTree tree = parse(piece, as(FragmentKind::statement_list));
+    ASSERT_EQ(tree.diagnostics().size(), 2U);
+    const SourceText placed = piece.at({100, 12, 20});
+    const std::string text = render_text(tree.diagnostics(), placed);
+    EXPECT_EQ(text.substr(0, text.find(' ')), "plant.xml:12:26:") << text;
+    EXPECT_NE(text.find("plant.xml:13:3:"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n  13 | b = 2;"), std::string::npos) << text;
+
+    std::string json;
+    const LineTable lines(placed.bytes());
+    render_json(json, tree.diagnostics()[1], Severity::error, placed, lines);
+    EXPECT_NE(json.find("\"line\":13,\"column\":3,"), std::string::npos) << json;
+    EXPECT_NE(json.find("\"offset\":109,\"endOffset\":110,"), std::string::npos) << json;
+}
+
+TEST(Fragment, ReportsCanBeMappedIntoAnotherForm) {
+    // `a &lt; b c` in the file, from offset 10 on; the piece has `<` for `&lt;`.
+    const std::string piece = "a < b c";
+    const auto map = [](std::uint32_t offset) { return 10 + offset + (offset > 2 ? 3 : 0); };
+    const SyntaxTree tree = parse(SourceText(piece), as(FragmentKind::expression));
+    ASSERT_EQ(tree.diagnostics().size(), 1U);
+    EXPECT_EQ(tree.diagnostics()[0].range, (TextRange{6, 7}));
+    EXPECT_EQ(mapped(tree.diagnostics()[0], map).range, (TextRange{19, 20}));
+}
+
+} // namespace
