@@ -38,7 +38,10 @@ bool is_il_operator(std::string_view word) noexcept {
                        [word](std::string_view op) { return names_equal(word, op); });
 }
 
-bool begins_operand(TokenKind kind) noexcept {
+} // namespace
+
+/// A name or a literal.
+bool Parser::begins_operand(TokenKind kind) noexcept {
     static constexpr TokenSet words{TokenKind::identifier,      TokenKind::enumerated_value,
                                     TokenKind::direct_variable, TokenKind::kw_true,
                                     TokenKind::kw_false,        TokenKind::kw_en,
@@ -46,8 +49,6 @@ bool begins_operand(TokenKind kind) noexcept {
     return words.contains(kind) ||
            TokenSet::range(TokenKind::integer, TokenKind::date_and_time).contains(kind);
 }
-
-} // namespace
 
 /// True when a step, transition or action begins at token `index`.
 bool Parser::begins_chart_element(std::uint32_t index) const noexcept {

@@ -136,7 +136,25 @@ Parser::Report& Parser::Report::insert(std::uint32_t offset, std::string words) 
 }
 
 Parser::Report& Parser::Report::remove(TextRange range) {
-    return replace(range, {});
+    return replace(parser_.with_blank(range), {});
+}
+
+Parser::Report& Parser::Report::also_remove(TextRange range) {
+    if (index_)
+        parser_.diagnostics_[*index_].fixes.back().edits.push_back({parser_.with_blank(range), {}});
+    return *this;
+}
+
+/// With the blank behind it when a blank, or nothing, stands before it: no two blanks are left.
+TextRange Parser::with_blank(TextRange range) const noexcept {
+    const auto blank = [this](std::uint32_t offset) {
+        return offset < text_.size() && (text_[offset] == ' ' || text_[offset] == '\t');
+    };
+    const bool before = range.begin > 0 && blank(range.begin - 1);
+    const bool starts_line = range.begin == 0 || text_[range.begin - 1] == '\n';
+    if (blank(range.end) && (before || starts_line))
+        ++range.end;
+    return range;
 }
 
 Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments arguments) {
@@ -160,7 +178,11 @@ Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
     const bool swallowed = end_ > 0 && tokens_[end_ - 1].malformed() && token().first_on_line() &&
                            (tokens_[end_ - 1].kind() == TokenKind::single_byte_string ||
                             tokens_[end_ - 1].kind() == TokenKind::double_byte_string);
-    if (std::exchange(reported_at_, at_) == at_ || swallowed || follows_unknown(at_))
+    // So has a comment that nothing closes.
+    const std::string_view gap = text_.substr(previous_end(), token().offset() - previous_end());
+    const std::size_t comment = gap.find("(*");
+    const bool commented = comment != gap.npos && gap.find("*)", comment) == gap.npos;
+    if (std::exchange(reported_at_, at_) == at_ || swallowed || commented || follows_unknown(at_))
         return {*this, std::nullopt};
     return report(id, {previous_end(), previous_end()}, std::move(arguments));
 }
@@ -253,7 +275,9 @@ void Parser::report_reserved_word(std::uint32_t token) {
     const TextEdit edit{tokens_[token].range(), std::string(text(token)) + "_1"};
     for (const ReservedWord& word : reserved_words_)
         if (word.kind == keyword) {
-            diagnostics_[word.diagnostic].fixes.front().edits.push_back(edit);
+            std::vector<TextEdit>& edits = diagnostics_[word.diagnostic].fixes.front().edits;
+            if (edits.back().range != edit.range)
+                edits.push_back(edit);
             return;
         }
     const std::string words(text(token));

@@ -50,6 +50,15 @@ constexpr auto operator_table = [] {
     return table;
 }();
 
+/// Operators of later editions that are names in this one.
+OperatorRow operator_of_other_languages(std::string_view word) noexcept {
+    if (names_equal(word, "AND_THEN"))
+        return {3, ast::BinaryOperator::logical_and, "AND"};
+    if (names_equal(word, "OR_ELSE"))
+        return {1, ast::BinaryOperator::logical_or, "OR"};
+    return {};
+}
+
 constexpr unsigned weakest = 1;
 constexpr unsigned equality = 4;
 
@@ -138,6 +147,8 @@ std::string Parser::spaced(std::string_view meant, TextRange range) const {
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
     for (;;) {
         OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
+        if (at(TokenKind::identifier))
+            row = operator_of_other_languages(text(at_));
         const bool assign = in_condition_ && at(TokenKind::assign);
         const TokenKind split = in_condition_ && at(TokenKind::output_arrow)
                                     ? TokenKind::greater_equal
@@ -226,7 +237,8 @@ const ast::Expression* Parser::parse_unary() {
                : plus ? ast::UnaryOperator::plus
                       : ast::UnaryOperator::logical_not;
     const std::uint32_t sign = advance();
-    if (plus && at_expression_start())
+    const bool call = at(operator_functions) && peek() == TokenKind::left_parenthesis;
+    if (plus && (at_expression_start() || call))
         report_at(sign, DiagnosticId::unary_plus).remove(tokens_[sign].range());
     const bool repeated = (at(TokenKind::minus) || at(TokenKind::plus) || at(TokenKind::kw_not)) &&
                           !at_signed_number();
@@ -259,13 +271,23 @@ const ast::Expression* Parser::parse_primary() {
     return parse_missing_expression();
 }
 
-/// The call of a function has at least one argument. One that is not closed has other faults.
+/// A function has a name and at least one argument. A call that is not closed has other faults.
 const ast::Expression* Parser::check_function_call(const ast::Expression* operand) {
     const auto* call = ast::as<ast::FunctionCall>(operand);
-    if (call != nullptr && call->arguments.empty() &&
-        tokens_[call->end_token - 1].kind() == TokenKind::right_parenthesis)
+    if (call == nullptr)
+        return operand;
+    if (call->function->kind != ast::NodeKind::variable_name)
+        report_call_of_member(*call->function);
+    else if (call->arguments.empty() &&
+             tokens_[call->end_token - 1].kind() == TokenKind::right_parenthesis)
         report_node(*call, DiagnosticId::function_without_arguments);
     return operand;
+}
+
+void Parser::report_call_of_member(const ast::Expression& callee) {
+    report_node(callee, DiagnosticId::call_of_member,
+                {callee.kind == ast::NodeKind::array_variable ? "an array element"
+                                                              : "a member or a result"});
 }
 
 const ast::Expression* Parser::parse_missing_expression() {
@@ -363,6 +385,7 @@ const ast::Expression* Parser::parse_subscripts(const ast::Expression* head) {
 }
 
 // structured_variable = record_variable "." field_selector ;
+// field_selector = identifier | "EN" | "ENO" ;
 const ast::Expression* Parser::parse_field(const ast::Expression* head) {
     auto* node = make_from<ast::StructuredVariable>(head);
     advance();
@@ -372,6 +395,8 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
         node->field_selector = parse_constant();
     } else if (token().first_on_line() && peek() == TokenKind::assign) {
         node->field_selector = make_missing_identifier("a name after `.`");
+    } else if (at(execution_control)) {
+        node->field_selector = make_identifier();
     } else {
         node->field_selector = parse_name("a name after `.`");
     }
@@ -382,6 +407,9 @@ const ast::Expression* Parser::parse_call(const ast::Expression* callee) {
     const NestingGuard guard(*this);
     if (guard.too_deep())
         return parse_too_deep_expression();
+    if (callee->kind == ast::NodeKind::variable_name &&
+        execution_control.contains(tokens_[callee->first_token].kind()))
+        report_reserved_word(callee->first_token);
     auto* node = make_from<ast::FunctionCall>(callee);
     node->function = callee;
     node->arguments = parse_arguments();
@@ -500,8 +528,13 @@ const ast::Identifier* Parser::parse_argument_name() {
 const ast::Expression* Parser::parse_output_variable() {
     if (at(TokenKind::direct_variable))
         return parse_direct_variable();
-    if (at(TokenKind::identifier) || at_operand_keyword())
-        return parse_variable();
+    if (at(TokenKind::identifier) || at_operand_keyword()) {
+        const ast::Expression* variable = parse_variable();
+        if (!is_variable(*variable))
+            report_node(*variable, DiagnosticId::unexpected_token,
+                        {"a variable after `=>`", "a call"});
+        return variable;
+    }
     if (at_expression_start())
         report_unexpected("a variable after `=>`");
     else

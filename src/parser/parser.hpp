@@ -186,6 +186,8 @@ private:
         Report& insert(std::uint32_t offset, std::string words);
         Report& replace(TextRange range, std::string words);
         Report& remove(TextRange range);
+        /// As a part of the fix that was added last.
+        Report& also_remove(TextRange range);
         explicit operator bool() const noexcept { return index_.has_value(); }
         [[nodiscard]] std::size_t index() const noexcept { return *index_; }
 
@@ -205,6 +207,7 @@ private:
     /// "expected {what}, found {the current token}".
     Report report_unexpected(std::string what);
     [[nodiscard]] std::uint32_t previous_end() const noexcept;
+    [[nodiscard]] TextRange with_blank(TextRange range) const noexcept;
     /// True when a character that was reported as having no meaning stands before the token.
     [[nodiscard]] bool follows_unknown(std::uint32_t token) const noexcept {
         return token > 0 && tokens_[token - 1].kind() == TokenKind::unknown;
@@ -239,6 +242,7 @@ private:
     [[nodiscard]] bool is_open(TokenKind closer) const noexcept;
     [[nodiscard]] bool closes_outer_block() const noexcept;
     [[nodiscard]] bool at_misspelt_closer() const noexcept;
+    [[nodiscard]] bool at_split_word(std::string_view closer) const noexcept;
     [[nodiscard]] bool closes_open_bracket() const noexcept;
     [[nodiscard]] bool at_mismatched_closer() const noexcept;
     /// How many more blocks of this kind begin in the unit than are closed.
@@ -393,6 +397,7 @@ private:
     const ast::Node* parse_argument();
     void check_arguments(const ast::List<ast::Node>& arguments);
     const ast::Expression* parse_missing_expression();
+    void report_call_of_member(const ast::Expression& callee);
     const ast::Expression* parse_too_deep_expression();
     const ast::Expression* check_function_call(const ast::Expression* operand);
     const ast::Identifier* parse_argument_name();
@@ -416,6 +421,8 @@ private:
     void open_statement(TokenKind opener, TokenKind closer);
     [[nodiscard]] TokenKind missing_opener();
     [[nodiscard]] std::uint32_t find_on_line(TokenKind word) const noexcept;
+    [[nodiscard]] bool begins_operand_on_line(std::uint32_t index) const noexcept;
+    [[nodiscard]] static bool begins_operand(TokenKind kind) noexcept; // body_language.cpp
     const ast::StatementList* parse_else_list();
     const ast::Statement* parse_label_after_else();
     void parse_for_list(ast::ForStatement& loop);
@@ -431,9 +438,13 @@ private:
     const ast::Statement* finish_expression_statement(const ast::Expression* expression,
                                                       std::size_t reports);
     const ast::Statement* parse_if_statement();
+    const ast::Statement* parse_if_rest(ast::IfStatement* node);
+    const ast::Statement* parse_if_without_head();
     const ast::ElsifClause* parse_elsif_clause();
     [[nodiscard]] bool at_else_if_for_elsif();
     const ast::Statement* parse_case_statement();
+    const ast::Statement* parse_case_rest(ast::CaseStatement* node);
+    const ast::Statement* parse_case_without_head();
     const ast::CaseElement* parse_case_element();
     const ast::Node* parse_case_label();
     const ast::Expression* parse_constant_label();
@@ -443,6 +454,9 @@ private:
     void expect_word(TokenKind word);
     [[nodiscard]] bool at_case_label() const noexcept;
     const ast::Statement* parse_for_statement();
+    const ast::Statement* parse_loop(ast::ForStatement* node);
+    [[nodiscard]] bool loop_head_of_other_language() const noexcept;
+    void skip_loop_head(ast::ForStatement& loop);
     const ast::Statement* parse_while_statement();
     const ast::Statement* parse_repeat_statement();
     const ast::Statement* parse_word_statement();

@@ -102,17 +102,30 @@ bool Parser::at_misspelt_closer() const noexcept {
     if (open_.empty() || !at(TokenKind::identifier))
         return false;
     const std::string_view word = text(at_);
-    if (word.size() < 3 || fold(word[0]) != 'E')
+    if (word.size() < 3)
         return false;
     const TokenKind after = peek();
     const std::string_view closer = spelling(open_.back().closer);
+    if (at_split_word(closer))
+        return true;
     if (names_equal(word, "END")) {
-        const bool split = is_keyword(after) && names_equal(text(next(at_)), closer.substr(4));
-        return split || after == TokenKind::semicolon || after == TokenKind::end_of_unit;
+        return after == TokenKind::semicolon || after == TokenKind::end_of_unit;
     }
     const bool alone = after == TokenKind::semicolon || tokens_[next(at_)].first_on_line() ||
                        after == TokenKind::end_of_unit;
     return alone && is_misspelling(word, closer);
+}
+
+/// `END IF`, `END _IF` or `END_ IF`.
+bool Parser::at_split_word(std::string_view closer) const noexcept {
+    const std::uint32_t second = next(at_);
+    const std::string_view rest = text(second);
+    if (tokens_[second].first_on_line())
+        return false;
+    if (names_equal(text(at_), "END_"))
+        return names_equal(rest, closer.substr(4));
+    return names_equal(text(at_), "END") &&
+           (names_equal(rest, closer.substr(4)) || names_equal(rest, closer.substr(3)));
 }
 
 /// A closing word of another kind that can only be meant to close the innermost block: it closes
@@ -139,15 +152,22 @@ void Parser::report_missing_closer(std::string_view terminator) {
     const OpenBlock& block = open_.back();
     const std::string closer(spelling(block.closer));
     // Each block that ends here is reported, the innermost first.
-    if (reported_at_ == at_ && !diagnostics_.empty() &&
-        (diagnostics_.back().id == DiagnosticId::missing_closing_word ||
-         diagnostics_.back().id == DiagnosticId::empty_statement_list))
-        reported_at_.reset();
+    std::string gap = "\n";
+    if (reported_at_ == at_ && !diagnostics_.empty()) {
+        const DiagnosticId last = diagnostics_.back().id;
+        if (last == DiagnosticId::missing_closing_word ||
+            last == DiagnosticId::empty_statement_list)
+            reported_at_.reset();
+        if (last == DiagnosticId::empty_statement_list) { // it lacks both, which is one mistake
+            diagnostics_.pop_back();
+            gap = " ; ";
+        }
+    }
     if (at(TokenKind::semicolon))
         terminator = "";
     report_missing(DiagnosticId::missing_closing_word, {closer, std::string(text(block.opener))})
         .label(LabelId::opened_here, block.opener)
-        .insert(previous_end(), "\n" + closer + std::string(terminator));
+        .insert(previous_end(), gap + closer + std::string(terminator));
     --unclosed(block.closer);
     closer_assumed_ = true;
 }
@@ -163,12 +183,13 @@ void Parser::close_block(std::string_view terminator) {
             advance();
     } else if (at_misspelt_closer()) {
         const std::uint32_t first = at_;
-        if (names_equal(text(at_), "END") && is_keyword(peek()))
+        if (at_split_word(closer))
             advance();
         const TextRange words = token_range(first, at_ + 1);
-        report(DiagnosticId::misspelt_word, words,
-               {std::string(text_.substr(words.begin, words.size())), closer})
-            .replace(words, closer);
+        if (!tokens_[first].malformed()) // else it was reported
+            report(DiagnosticId::misspelt_word, words,
+                   {std::string(text_.substr(words.begin, words.size())), closer})
+                .replace(words, closer);
         advance();
         --unclosed(block.closer);
     } else if (at_mismatched_closer()) {

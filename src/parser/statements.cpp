@@ -56,6 +56,13 @@ void Parser::check_not_empty(const ast::StatementList& list, std::string_view wh
 
 void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
     while (!at_end_of_statements()) {
+        const bool if_part = at(TokenKind::kw_else) || at(TokenKind::kw_elsif);
+        if (if_part && !open_.back().in_else && unclosed(TokenKind::kw_end_if) < 0) {
+            const ast::Statement* statement = parse_if_without_head();
+            statements.add(statement);
+            expect_semicolon_of_statement(*statement);
+            continue;
+        }
         if (at(statement_closers) || at(other_closers) || at(TokenKind::kw_else) ||
             at(TokenKind::kw_elsif) || at(TokenKind::kw_until) || at_split_closer()) {
             skip_stray_word();
@@ -114,6 +121,11 @@ bool Parser::at_misspelt_elsif() const noexcept {
     return at(TokenKind::identifier) && !open_.back().in_else &&
            is_misspelling(text(at_), spelling(TokenKind::kw_elsif)) &&
            find_on_line(TokenKind::kw_then) < count_;
+}
+
+bool Parser::begins_operand_on_line(std::uint32_t index) const noexcept {
+    const TokenKind here = tokens_[index].kind();
+    return !tokens_[index].first_on_line() && (begins_operand(here) || here == TokenKind::kw_not);
 }
 
 /// The place of `word` further on in this line, before any `;`; the end when it is not there.
@@ -199,11 +211,12 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
 // statement = NIL | assignment_statement | subprogram_control_statement | selection_statement
 //           | iteration_statement ;
 const ast::Statement* Parser::parse_statement() {
-    if (at(block_statements)) {
+    const TokenKind opener = at(block_statements) ? kind() : missing_opener();
+    if (block_statements.contains(opener)) {
         const NestingGuard guard(*this);
         if (guard.too_deep())
             return parse_too_deep_statement();
-        switch (kind()) {
+        switch (opener) {
         case TokenKind::kw_if: return parse_if_statement();
         case TokenKind::kw_case: return parse_case_statement();
         case TokenKind::kw_for: return parse_for_statement();
@@ -219,20 +232,22 @@ const ast::Statement* Parser::parse_statement() {
     }
     if (at(declaration_words))
         return parse_misplaced_declarations();
-    if (at(TokenKind::identifier) && peek() == TokenKind::colon &&
+    if ((at(TokenKind::identifier) || at_operand_keyword()) && peek() == TokenKind::colon &&
         (is_elementary_type_name(peek_second()) || peek_second() == TokenKind::kw_array)) {
         report_at(at_, DiagnosticId::declaration_after_body);
         return skip_statement();
     }
     if (open_.back().in_else && open_.back().closer == TokenKind::kw_end_case && at_case_label())
         return parse_label_after_else();
+    if (unclosed(TokenKind::kw_end_case) < 0 && token().first_on_line() && at_case_label())
+        return parse_case_without_head();
     static constexpr TokenSet operator_functions{TokenKind::kw_and, TokenKind::kw_or,
                                                  TokenKind::kw_xor, TokenKind::kw_mod};
     const bool name = at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())) ||
                       (at(operator_functions) && peek() == TokenKind::left_parenthesis);
     const bool two_words = is_keyword(kind()) && peek() == TokenKind::identifier &&
                            !tokens_[next(at_)].first_on_line();
-    if (at_expression_start() || (name && !two_words))
+    if (at_expression_start() || at(TokenKind::incomplete_location) || (name && !two_words))
         return parse_simple_statement();
     if (at(part_words)) {
         auto* stray = make<ast::ErrorStatement>();
@@ -278,21 +293,16 @@ const ast::Statement* Parser::parse_word_statement() {
 
 /// What begins with a variable: an assignment or the invocation of a function block.
 const ast::Statement* Parser::parse_simple_statement() {
-    switch (missing_opener()) {
-    case TokenKind::kw_if: return parse_if_statement();
-    case TokenKind::kw_case: return parse_case_statement();
-    case TokenKind::kw_for: return parse_for_statement();
-    case TokenKind::kw_while: return parse_while_statement();
-    default: break;
-    }
     const std::size_t reports = diagnostics_.size();
     const bool variable = at(TokenKind::identifier) || at_operand_keyword() || used_as_name(kind());
-    if (!variable && !at(TokenKind::direct_variable)) {
+    if (!variable && !at(TokenKind::direct_variable) && !at(TokenKind::incomplete_location)) {
         const ast::Expression* expression = parse_expression();
         return at(TokenKind::assign) ? parse_assignment(expression)
                                      : finish_expression_statement(expression, reports);
     }
     const std::uint32_t first = at_;
+    if (at(TokenKind::incomplete_location))
+        report_at(at_, DiagnosticId::incomplete_location);
     const ast::Expression* left = variable ? parse_variable() : parse_direct_variable();
     static constexpr TokenSet assigns{TokenKind::assign, TokenKind::equal, TokenKind::colon,
                                       TokenKind::equal_equal, TokenKind::output_arrow};
@@ -381,10 +391,7 @@ const ast::Statement* Parser::make_invocation(const ast::FunctionCall& call) {
     node->arguments = call.arguments;
     finish(node);
     if (call.function->kind != ast::NodeKind::variable_name) {
-        report_node(*call.function, DiagnosticId::call_of_member,
-                    {call.function->kind == ast::NodeKind::array_variable
-                         ? "an array element"
-                         : "a member or a result"});
+        report_call_of_member(*call.function);
     } else if (const std::string name(text(call.function->first_token));
                standard_name(name) == StandardName::function) {
         report_node(*call.function, DiagnosticId::function_call_statement, {name});
@@ -419,6 +426,13 @@ const ast::Statement* Parser::parse_if_statement() {
     node->condition = parse_condition();
     expect_word(TokenKind::kw_then);
     node->then_list = parse_statement_list("after THEN");
+    return parse_if_rest(node);
+}
+
+// { "ELSIF" expression "THEN" statement_list }
+// [ "ELSE" statement_list ]
+// "END_IF"
+const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
     ListBuilder<ast::ElsifClause> clauses(*this);
     while (open_.back().closer == TokenKind::kw_end_if) {
         if (at(TokenKind::kw_elsif) || at_else_if_for_elsif() || at_misspelt_elsif()) {
@@ -433,6 +447,17 @@ const ast::Statement* Parser::parse_if_statement() {
     node->elsif_clauses = clauses.finish();
     close_block(";");
     return finish(node);
+}
+
+/// At ELSE or ELSIF outside of IF, when an END_IF waits for it.
+const ast::Statement* Parser::parse_if_without_head() {
+    auto* node = make<ast::IfStatement>();
+    report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
+    ++unclosed(TokenKind::kw_end_if);
+    open_block(TokenKind::kw_end_if, at_);
+    node->condition = make_missing<ast::ErrorExpression>();
+    node->then_list = make_missing<ast::StatementList>();
+    return parse_if_rest(node);
 }
 
 // [ "ELSE" statement_list ]
@@ -453,9 +478,18 @@ void Parser::open_statement(TokenKind opener, TokenKind closer) {
     if (!accept(opener)) {
         const std::string word(spelling(opener));
         const std::uint32_t offset = token().offset();
-        report(DiagnosticId::missing_token, {offset, offset}, {"`" + word + "`"})
-            .insert(offset, word + " ");
         ++unclosed(closer);
+        if (begins_operand_on_line(next(at_)) || opener == TokenKind::kw_repeat) {
+            // Two operands in a row: the first stands for the word.
+            (is_misspelling(text(at_), word)
+                 ? report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), word})
+                 : report_unexpected("`" + word + "`"))
+                .replace(token().range(), word);
+            advance();
+        } else {
+            report(DiagnosticId::missing_token, {offset, offset}, {"`" + word + "`"})
+                .insert(offset, word + " ");
+        }
     }
     open_block(closer, first);
 }
@@ -475,7 +509,10 @@ TokenKind Parser::missing_opener() {
     for (const Head& head : heads)
         if (unclosed(head.closer) < 0 && find_on_line(head.word) < count_)
             return head.opener;
-    return TokenKind::end_of_unit;
+    const bool repeat = unclosed(TokenKind::kw_end_repeat) < 0 && at(TokenKind::identifier) &&
+                        tokens_[next(at_)].first_on_line() &&
+                        is_misspelling(text(at_), spelling(TokenKind::kw_repeat));
+    return repeat ? TokenKind::kw_repeat : TokenKind::end_of_unit;
 }
 
 // "ELSIF" expression "THEN" statement_list
@@ -541,8 +578,20 @@ bool Parser::followed_by_end_if_of(std::uint32_t end, std::uint32_t opener) cons
 const ast::Statement* Parser::parse_case_statement() {
     auto* node = make<ast::CaseStatement>();
     open_statement(TokenKind::kw_case, TokenKind::kw_end_case);
-    node->selector = parse_condition();
-    expect_word(TokenKind::kw_of);
+    if (at(TokenKind::integer) && at_case_label()) {
+        report_missing(DiagnosticId::missing_token, {"a selector with `OF`"});
+        node->selector = make_missing<ast::ErrorExpression>();
+    } else {
+        node->selector = parse_condition();
+        expect_word(TokenKind::kw_of);
+    }
+    return parse_case_rest(node);
+}
+
+// case_element { case_element }
+// [ "ELSE" statement_list ]
+// "END_CASE"
+const ast::Statement* Parser::parse_case_rest(ast::CaseStatement* node) {
     ListBuilder<ast::CaseElement> elements(*this);
     do
         elements.add(parse_case_element());
@@ -552,6 +601,17 @@ const ast::Statement* Parser::parse_case_statement() {
         node->else_list = parse_else_list();
     close_block(";");
     return finish(node);
+}
+
+/// At a label outside of CASE, when an END_CASE waits for it: the head of the statement is missing.
+const ast::Statement* Parser::parse_case_without_head() {
+    const std::uint32_t offset = token().offset();
+    report(DiagnosticId::missing_token, {offset, offset}, {"`CASE` with a selector and `OF`"});
+    auto* node = make<ast::CaseStatement>();
+    ++unclosed(TokenKind::kw_end_case);
+    open_block(TokenKind::kw_end_case, at_);
+    node->selector = make_missing<ast::ErrorExpression>();
+    return parse_case_rest(node);
 }
 
 /// True when a label begins here: a constant or name with `:`, `,` or `..` behind it.
@@ -680,6 +740,17 @@ const ast::Expression* Parser::parse_constant_label() {
 const ast::Statement* Parser::parse_for_statement() {
     auto* node = make<ast::ForStatement>();
     open_statement(TokenKind::kw_for, TokenKind::kw_end_for);
+    std::optional<Report> parenthesis;
+    if (at(TokenKind::left_parenthesis)) {
+        if (loop_head_of_other_language()) {
+            skip_loop_head(*node);
+            return parse_loop(node);
+        }
+        parenthesis.emplace(report_unexpected("a variable").remove(token().range()));
+        advance();
+    }
+    if (at(TokenKind::kw_en) || at(TokenKind::kw_eno))
+        report_reserved_word(at_); // a control variable has a name
     const bool variable = at(TokenKind::identifier) || at_operand_keyword() || used_as_name(kind());
     node->control_variable = variable                         ? parse_variable()
                              : at(TokenKind::direct_variable) ? parse_direct_variable()
@@ -688,10 +759,39 @@ const ast::Statement* Parser::parse_for_statement() {
         node->control_variable->kind != ast::NodeKind::variable_name)
         report_node(*node->control_variable, DiagnosticId::control_variable);
     parse_for_list(*node);
+    if (parenthesis && at(TokenKind::right_parenthesis))
+        parenthesis->also_remove(tokens_[advance()].range());
     expect_word(TokenKind::kw_do);
+    return parse_loop(node);
+}
+
+const ast::Statement* Parser::parse_loop(ast::ForStatement* node) {
     node->statements = parse_statement_list("after DO");
     close_block(";");
     return finish(node);
+}
+
+/// At `(` behind FOR: true when a `;` stands in the parentheses, as in C.
+bool Parser::loop_head_of_other_language() const noexcept {
+    std::uint32_t i = next(at_);
+    while (i < count_ && !tokens_[i].first_on_line() && !part_words.contains(tokens_[i].kind()) &&
+           tokens_[i].kind() != TokenKind::semicolon)
+        i = next(i);
+    return tokens_[i].kind() == TokenKind::semicolon && !tokens_[i].first_on_line();
+}
+
+/// Passes over a head like `(i := 1; i < 3; i := i + 1)`.
+void Parser::skip_loop_head(ast::ForStatement& loop) {
+    auto* head = make<ast::ErrorExpression>();
+    const std::uint32_t first = at_;
+    while (!at_end() && !at(TokenKind::kw_do) && (at_ == first || !token().first_on_line()))
+        advance();
+    report(DiagnosticId::unexpected_token, token_range(first, end_),
+           {"`variable := first TO last DO`", "the head of a loop in parentheses"});
+    loop.control_variable = finish(head);
+    loop.from = make_missing<ast::ErrorExpression>();
+    loop.to = make_missing<ast::ErrorExpression>();
+    accept(TokenKind::kw_do);
 }
 
 // ":=" expression "TO" expression [ "BY" expression ]
@@ -740,7 +840,7 @@ const ast::Statement* Parser::parse_while_statement() {
 // repeat_statement = "REPEAT" statement_list "UNTIL" expression "END_REPEAT" ;
 const ast::Statement* Parser::parse_repeat_statement() {
     auto* node = make<ast::RepeatStatement>();
-    open_block(TokenKind::kw_end_repeat, advance());
+    open_statement(TokenKind::kw_repeat, TokenKind::kw_end_repeat);
     node->statements = parse_statement_list("after REPEAT");
     if (accept(TokenKind::kw_until)) {
         node->condition = parse_condition();
