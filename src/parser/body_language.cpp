@@ -63,8 +63,8 @@ bool Parser::begins_chart_element(std::uint32_t index) const noexcept {
 }
 
 /// How the line that begins at token `index` reads. What tells an instruction are two operands in a
-/// row, which ST never has: those of a name and an operand are `application`. An operator that ST
-/// has as well counts behind another instruction only: it may continue an expression.
+/// row, which ST never has: those of a name and an operand are `application`. What may as well
+/// continue an expression counts behind another instruction only.
 Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const noexcept {
     const bool labelled = tokens_[index].kind() == TokenKind::identifier &&
                           tokens_[next(index)].kind() == TokenKind::colon;
@@ -77,11 +77,13 @@ Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const n
         tokens_[second].first_on_line() || tokens_[second].kind() == TokenKind::semicolon;
     const bool operand = !alone && begins_operand(tokens_[second].kind());
     const bool sign = tokens_[second].kind() == TokenKind::minus && !alone;
-    if (common_operators.contains(tokens_[index].kind()))
-        return before == LineKind::other ? LineKind::other : LineKind::operation;
-    if (tokens_[index].kind() != TokenKind::identifier)
+    const bool common = common_operators.contains(tokens_[index].kind());
+    if (!common && tokens_[index].kind() != TokenKind::identifier)
         return LineKind::other;
-    if (is_il_operator(text(index)) && (alone || operand || sign))
+    const bool il_operator = !common && is_il_operator(text(index));
+    if (common || (il_operator && (alone || sign)))
+        return before == LineKind::other ? LineKind::other : LineKind::operation;
+    if (il_operator && operand)
         return LineKind::operation;
     return operand ? LineKind::application : LineKind::other;
 }

@@ -384,6 +384,12 @@ const ast::Expression* Parser::parse_subscripts(const ast::Expression* head) {
     return finish(node);
 }
 
+/// True for an operand: an assignment cannot begin with it.
+bool Parser::follows_operator(std::uint32_t index) const noexcept {
+    const TokenKind before = index > 0 ? tokens_[index - 1].kind() : TokenKind::unknown;
+    return before == TokenKind::assign || operator_strength(before) > 0;
+}
+
 // structured_variable = record_variable "." field_selector ;
 // field_selector = identifier | "EN" | "ENO" ;
 const ast::Expression* Parser::parse_field(const ast::Expression* head) {
@@ -393,7 +399,8 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
     if (at(TokenKind::integer)) {
         report_at(at_, DiagnosticId::bit_access, {std::string(text(at_))});
         node->field_selector = parse_constant();
-    } else if (token().first_on_line() && peek() == TokenKind::assign) {
+    } else if (token().first_on_line() && peek() == TokenKind::assign &&
+               follows_operator(head->first_token)) {
         node->field_selector = make_missing_identifier("a name after `.`");
     } else if (at(execution_control)) {
         node->field_selector = make_identifier();

@@ -392,6 +392,7 @@ private:
     const ast::Expression* parse_selectors(const ast::Expression* head);
     const ast::Expression* parse_subscripts(const ast::Expression* head);
     const ast::Expression* parse_field(const ast::Expression* head);
+    [[nodiscard]] bool follows_operator(std::uint32_t index) const noexcept;
     const ast::Expression* parse_call(const ast::Expression* callee);
     ast::List<ast::Node> parse_arguments();
     const ast::Node* parse_argument();

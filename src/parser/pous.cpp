@@ -80,8 +80,9 @@ bool Parser::body_begins_in_head() const noexcept {
     std::uint32_t line = at_;
     while (line == at_ || (line < count_ && !tokens_[line].first_on_line()))
         line = next(line);
-    return line_kind(at_, LineKind::operation) != LineKind::other &&
-           !block_openers.contains(tokens_[line].kind()) &&
+    const bool word =
+        at(TokenKind::identifier) || line_kind(at_, LineKind::operation) != LineKind::other;
+    return word && !block_openers.contains(tokens_[line].kind()) &&
            body_language() == ast::BodyLanguage::instruction_list;
 }
 
