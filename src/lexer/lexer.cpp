@@ -113,6 +113,7 @@ private:
     bool check_word(const char* begin, const char* end);
     void check_underscores(const char* begin, const char* end);
     bool check_foreign_letters(const char* begin, const char* end);
+    const char* find_comment_end(const char* begin);
     const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
     const char* end_of_first_line(const char* begin, DiagnosticId fault, std::string_view opening,
                                   std::string_view closing);
@@ -158,8 +159,9 @@ private:
 
     std::string_view text_;
     const char* begin_;
-    const char* end_;       // where the zero byte stands
-    const char* line_feed_; // the last one looked up, or the end
+    const char* end_;                   // where the zero byte stands
+    const char* line_feed_;             // the last one looked up, or the end
+    const char* comment_end_ = nullptr; // the last one looked up
     // Behind these no `*)`, `*/`, `}` stands any more: nobody looks for one twice.
     const char* comment_end_missing_from_;
     const char* c_comment_end_missing_from_;
@@ -885,27 +887,59 @@ const char* Lexer::end_of_first_line(const char* begin, DiagnosticId fault,
     return line_end(begin);
 }
 
-const char* Lexer::comment(const char* begin) {
-    const char* inner = nullptr;
-    const char* closing = nullptr; // the `)`
-    if (begin + 2 < comment_end_missing_from_) {
-        for (const char* p = begin + 2; closing == nullptr;) {
-            p = static_cast<const char*>(std::memchr(p, '*', static_cast<std::size_t>(end_ - p)));
-            if (p == nullptr)
-                break;
-            if (p[-1] == '(' && inner == nullptr)
-                inner = p - 1;
-            while (*p == '*')
-                ++p;
-            if (*p == ')')
-                closing = p;
-        }
+namespace {
+
+// The first `(*` in the stretch; null when there is none.
+[[nodiscard]] const char* find_comment_begin(const char* begin, const char* end) noexcept {
+    for (const char* p = begin; p + 1 < end; ++p) {
+        p = static_cast<const char*>(std::memchr(p, '(', static_cast<std::size_t>(end - 1 - p)));
+        if (p == nullptr)
+            return nullptr;
+        if (p[1] == '*')
+            return p;
     }
+    return nullptr;
+}
+
+// True when some line of the stretch ends in `;`, as code does and prose does not.
+[[nodiscard]] bool looks_like_code(std::string_view stretch) noexcept {
+    for (std::size_t at = stretch.find(';'); at != std::string_view::npos;
+         at = stretch.find(';', at + 1)) {
+        const std::size_t next = stretch.find_first_not_of(" \t", at + 1);
+        if (next == std::string_view::npos || stretch[next] == '\n' || stretch[next] == '\r')
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+// The `)` of the first `*)` from `begin` on; null when there is none. Places asked for must grow.
+const char* Lexer::find_comment_end(const char* begin) {
+    if (comment_end_ != nullptr && begin < comment_end_)
+        return comment_end_;
+    for (const char* p = begin; p < end_;) {
+        p = static_cast<const char*>(std::memchr(p, '*', static_cast<std::size_t>(end_ - p)));
+        if (p == nullptr)
+            break;
+        while (*p == '*')
+            ++p;
+        if (*p == ')')
+            return comment_end_ = p;
+    }
+    return nullptr;
+}
+
+const char* Lexer::comment(const char* begin) {
+    const char* closing = nullptr;
+    if (begin + 2 < comment_end_missing_from_)
+        closing = find_comment_end(begin + 2);
     const char* end = nullptr;
     if (closing == nullptr) {
         comment_end_missing_from_ = std::min(comment_end_missing_from_, begin + 2);
         end = end_of_first_line(begin, DiagnosticId::unterminated_comment, "(*", "*)");
     } else {
+        const char* const inner = find_comment_begin(begin + 2, closing);
         end = inner == nullptr ? closing + 1 : end_of_nested_comment(begin, inner, closing);
     }
     add_trivia(TriviaKind::comment, begin, end);
@@ -913,15 +947,20 @@ const char* Lexer::comment(const char* begin) {
 }
 
 // When a comment that holds another opening nests in balance, all of it was meant as comment.
-// Otherwise it ends at its first `*)`, as the standard has it.
+// Otherwise it ends at its first `*)`, as the standard has it; but when there is code before the
+// inner opening, it is the outer comment that lacks its end.
 const char* Lexer::end_of_nested_comment(const char* begin, const char* inner,
                                          const char* closing) {
-    report(DiagnosticId::nested_comment, range(inner, inner + 2))
-        .labels.push_back({range(begin, begin + 2), LabelId::comment_begin, {}});
     if (!marks_.built())
         marks_.build(text_, offset(begin));
-    if (const auto end = marks_.balanced_end(offset(begin)))
-        return begin_ + *end;
+    const auto balanced_end = marks_.balanced_end(offset(begin));
+    const char* const first_line_end = line_end(begin);
+    if (!balanced_end && first_line_end < inner && looks_like_code(view(first_line_end, inner)))
+        return end_of_first_line(begin, DiagnosticId::unterminated_comment, "(*", "*)");
+    report(DiagnosticId::nested_comment, range(inner, inner + 2))
+        .labels.push_back({range(begin, begin + 2), LabelId::comment_begin, {}});
+    if (balanced_end)
+        return begin_ + *balanced_end;
     result_.open_ended.push_back(offset(begin));
     return closing + 1;
 }

@@ -42,7 +42,7 @@ TEST(HostileText, TakesLinearTime) {
              HostileText{"PROGRAM p ", "x := ", "'", "$';"},
              HostileText{"FUNCTION_BLOCK b VAR_INPUT a : INT := ", "(a:=2.5 3(", ":= ", "a:"},
          }) {
-        const std::string text = text_of(hostile, 1U << 21U);
+        const std::string text = text_of(hostile, 1U << 19U);
         EXPECT_EQ(parse(SourceText(text)).size(), text.size());
     }
 }
