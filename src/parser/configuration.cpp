@@ -46,6 +46,33 @@ std::string part_name(Part part) {
     return std::string(part_names[static_cast<std::size_t>(part)]);
 }
 
+/// What a path of names is made of.
+struct PathForm {
+    std::uint32_t names = 1;
+    bool subscripts = false;
+    bool begins_with_member = false; ///< the first name and another one
+    bool call = false;
+};
+
+PathForm form_of(const ast::Expression& path) noexcept {
+    PathForm form;
+    const ast::Expression* part = &path;
+    for (;;) {
+        if (const auto* field = ast::as<ast::StructuredVariable>(part)) {
+            part = field->record_variable;
+            form.begins_with_member = true;
+            ++form.names;
+        } else if (const auto* element = ast::as<ast::ArrayVariable>(part)) {
+            part = element->subscripted_variable;
+            form.begins_with_member = false;
+            form.subscripts = true;
+        } else {
+            form.call = part->kind == ast::NodeKind::function_call;
+            return form;
+        }
+    }
+}
+
 } // namespace
 
 // ---- configurations and resources ---------------------------------------------------------------
@@ -245,7 +272,7 @@ const ast::TaskInitialization* Parser::parse_task_initialization() {
     }
     node->name = parse_name("SINGLE, INTERVAL or PRIORITY");
     expect_assign();
-    node->value = priority ? parse_integer("a priority") : parse_data_source("a source");
+    node->value = priority ? parse_integer("a priority") : parse_data_source();
     return finish(node);
 }
 
@@ -278,18 +305,40 @@ void Parser::check_task(const ast::TaskConfiguration& task) {
 }
 
 // data_source = constant | global_var_reference | program_output_reference | direct_variable ;
+const ast::Expression* Parser::parse_data_source() {
+    const ast::Expression* source = parse_connection_operand("a source", true);
+    if (source->kind == ast::NodeKind::enumerated_value)
+        report_node(*source, DiagnosticId::unexpected_token,
+                    {"a variable or a constant", quoted(source->first_token)});
+    return source;
+}
+
 // prog_data_source = constant | enumerated_value | global_var_reference | direct_variable ;
+const ast::Expression* Parser::parse_prog_data_source() {
+    return parse_connection_operand("a source", false);
+}
+
 // data_sink = global_var_reference | direct_variable ;
-const ast::Expression* Parser::parse_data_source(std::string what) {
+const ast::Expression* Parser::parse_data_sink() {
+    const ast::Expression* sink = parse_connection_operand("a sink", false);
+    if (ast::is<ast::Constant>(sink->kind) || sink->kind == ast::NodeKind::enumerated_value)
+        report_node(*sink, DiagnosticId::unexpected_token, {"a variable after `=>`", "a constant"});
+    return sink;
+}
+
+/// What sources and sinks have in common; expressions are an extension (6.1 D31).
+const ast::Expression* Parser::parse_connection_operand(std::string what, bool program_output) {
     if (at(TokenKind::direct_variable))
         return parse_direct_variable();
     if (at(TokenKind::enumerated_value))
         return parse_enumerated_value();
-    if (at(TokenKind::identifier)) {
-        const ast::Expression* reference = parse_reference(what, 3);
-        if (operator_strength(kind()) == 0)
-            return reference;
-        const ast::Expression* expression = parse_binary_rest(reference, 1);
+    if (at(TokenKind::identifier) || (at_operand_keyword() && !at_literal())) {
+        const ast::Expression* path = parse_symbolic_variable();
+        if (operator_strength(kind()) == 0) {
+            check_reference(*path, std::move(what), program_output);
+            return path;
+        }
+        const ast::Expression* expression = parse_binary_rest(path, 1);
         report_node(*expression, DiagnosticId::long_reference, {"an expression", std::move(what)});
         return expression;
     }
@@ -300,24 +349,36 @@ const ast::Expression* Parser::parse_data_source(std::string what) {
     return value;
 }
 
-/// A path of names: `[ resource_name "." ] global_var_name [ "." structure_element_name ]`, or
-/// `program_name "." symbolic_variable`. Subscripts and longer paths are extensions (6.1 D32).
-const ast::Expression* Parser::parse_reference(std::string what, std::uint32_t maximum_names) {
-    const ast::Expression* path = parse_variable();
-    std::uint32_t names = 1;
-    bool simple = true;
-    const ast::Expression* head = path;
-    while (const auto* field = ast::as<ast::StructuredVariable>(head)) {
-        ++names;
-        head = field->record_variable;
-    }
-    simple = head->kind == ast::NodeKind::variable_name;
-    if (!simple || names > maximum_names)
-        report_node(*path, DiagnosticId::long_reference,
-                    {simple ? "a path of " + std::to_string(names) + " names"
-                            : "a path with subscripts or a call",
-                     std::move(what)});
-    return path;
+/// A symbolic_variable outside bodies, where EN and ENO are keywords like any other (6.1 D24).
+const ast::Expression* Parser::parse_symbolic_variable() {
+    if (!at(TokenKind::identifier))
+        report_reserved_word(at_);
+    auto* name = make<ast::VariableName>();
+    name->hash = hash_name(text(at_));
+    advance();
+    return parse_selectors(finish(name));
+}
+
+// global_var_reference = [ resource_name "." ] global_var_name [ "." structure_element_name ] ;
+// program_output_reference = program_name "." symbolic_variable ;
+//
+// Subscripts and longer paths are an extension otherwise (6.1 D32).
+void Parser::check_reference(const ast::Expression& path, std::string what, bool program_output) {
+    const PathForm form = form_of(path);
+    const bool global = !form.subscripts && form.names <= 3;
+    if (!form.call && (global || (program_output && form.begins_with_member)))
+        return;
+    report_node(path, DiagnosticId::long_reference,
+                {form.call || form.subscripts
+                     ? "a path with subscripts or a call"
+                     : "a path of " + std::to_string(form.names) + " names",
+                 std::move(what)});
+}
+
+/// A symbolic_variable has no call in it.
+void Parser::check_symbolic_variable(const ast::Expression& path) {
+    if (form_of(path).call)
+        report_node(path, DiagnosticId::unexpected_token, {"a variable", "a call"});
 }
 
 // ---- programs -----------------------------------------------------------------------------------
@@ -352,7 +413,7 @@ const ast::ProgramConfiguration* Parser::parse_program_configuration() {
 const ast::Node* Parser::parse_prog_conf_element() {
     const std::uint32_t first = at_;
     const ast::Expression* variable = at(TokenKind::identifier) || at_operand_keyword()
-                                          ? parse_variable()
+                                          ? parse_symbolic_variable()
                                           : parse_missing_expression();
     if (accept(TokenKind::kw_with)) {
         auto* task = make<ast::FbTask>();
@@ -368,14 +429,10 @@ const ast::Node* Parser::parse_prog_conf_element() {
     connection->first_token = variable->missing ? variable->first_token : first;
     connection->variable = variable;
     connection->output = accept(TokenKind::output_arrow);
+    check_symbolic_variable(*variable);
     if (!connection->output)
         expect_assign();
-    connection->operand = parse_data_source(connection->output ? "a sink" : "a source");
-    if (connection->output && !connection->operand->missing &&
-        (ast::is<ast::Constant>(connection->operand->kind) ||
-         connection->operand->kind == ast::NodeKind::enumerated_value))
-        report_node(*connection->operand, DiagnosticId::unexpected_token,
-                    {"a variable after `=>`", "a constant"});
+    connection->operand = connection->output ? parse_data_sink() : parse_prog_data_source();
     return finish(connection);
 }
 
@@ -422,15 +479,24 @@ const ast::Expression* Parser::parse_access_path(Place place) {
     }
     if (!at(TokenKind::identifier) && !at_operand_keyword())
         return parse_missing_expression();
-    const ast::Expression* head = parse_variable_name();
-    if (at(TokenKind::dot) && peek() == TokenKind::direct_variable) {
-        auto* node = make_from<ast::StructuredVariable>(head);
-        advance();
-        node->record_variable = head;
-        node->field_selector = parse_direct_variable();
-        return finish(node);
-    }
-    return parse_selectors(head);
+    if (at(TokenKind::identifier) && peek() == TokenKind::dot &&
+        peek_second() == TokenKind::direct_variable)
+        return parse_direct_variable_of_resource(place);
+    const ast::Expression* path = parse_symbolic_variable();
+    check_symbolic_variable(*path);
+    return path;
+}
+
+// resource_name "." direct_variable
+const ast::Expression* Parser::parse_direct_variable_of_resource(Place place) {
+    const ast::Expression* resource = parse_variable_name();
+    auto* node = make_from<ast::StructuredVariable>(resource);
+    advance();
+    if (place == Place::program)
+        report_unexpected("a variable of the program");
+    node->record_variable = resource;
+    node->field_selector = parse_direct_variable();
+    return finish(node);
 }
 
 // instance_specific_init = resource_name "." program_name "." { fb_name "." }

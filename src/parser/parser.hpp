@@ -327,6 +327,8 @@ private:
     const ast::Location* parse_optional_location();
     void check_declaration(const ast::VariableDeclaration& declaration,
                            const ast::VariableDeclarations& block, Place place);
+    [[nodiscard]] bool has_derivable_value(const ast::VariableDeclaration& declaration,
+                                           const ast::VariableDeclarations& block) const noexcept;
     void check_location(const ast::VariableDeclaration& declaration,
                         const ast::VariableDeclarations& block, Place place);
     void check_mixed(const ast::VariableDeclarations& block);
@@ -371,8 +373,14 @@ private:
     void check_task(const ast::TaskConfiguration& task);
     const ast::ProgramConfiguration* parse_program_configuration();
     const ast::Node* parse_prog_conf_element();
-    const ast::Expression* parse_reference(std::string what, std::uint32_t maximum_names);
-    const ast::Expression* parse_data_source(std::string what);
+    const ast::Expression* parse_data_source();
+    const ast::Expression* parse_prog_data_source();
+    const ast::Expression* parse_data_sink();
+    const ast::Expression* parse_connection_operand(std::string what, bool program_output);
+    const ast::Expression* parse_symbolic_variable();
+    void check_reference(const ast::Expression& path, std::string what, bool program_output);
+    void check_symbolic_variable(const ast::Expression& path);
+    const ast::Expression* parse_direct_variable_of_resource(Place place);
     const ast::AccessDeclaration* parse_access_declaration(Place place);
     const ast::InstanceSpecificInit* parse_instance_specific_init();
 

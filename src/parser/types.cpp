@@ -299,9 +299,6 @@ const ast::TypeSpecification* Parser::parse_enumeration_of(const ast::TypeSpecif
 const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaration() {
     auto* node = make<ast::EnumeratedValueDeclaration>();
     if (at(TokenKind::enumerated_value)) {
-        const auto prefix = static_cast<std::uint32_t>(text(at_).find('#') + 1);
-        const TextRange qualifier{token().offset(), token().offset() + prefix};
-        report(DiagnosticId::qualified_enumerated_value, qualifier).remove(qualifier);
         auto* name = make<ast::Identifier>();
         name->hash = hash_name(split_enumerated_value(text(at_)).value);
         advance();
@@ -478,9 +475,12 @@ const ast::Expression* Parser::parse_initial_value() {
     }
     static constexpr TokenSet after_value{TokenKind::semicolon, TokenKind::comma,
                                           TokenKind::right_parenthesis, TokenKind::right_bracket};
-    const bool simple = at(TokenKind::identifier) && after_value.contains(peek());
-    if (simple || at(TokenKind::enumerated_value))
+    const bool name = at(TokenKind::identifier) || at_operand_keyword();
+    if (at(TokenKind::enumerated_value) || (name && after_value.contains(peek()))) {
+        if (is_keyword(kind()))
+            report_reserved_word(at_);
         return parse_enumerated_value();
+    }
     if (at_sign_apart_from_number())
         return parse_constant_behind_gap();
     const std::size_t reports = diagnostics_.size();

@@ -288,9 +288,10 @@ ast::Edge Parser::parse_optional_edge(const ast::VariableDeclarations& block, Pl
 
 void Parser::check_declaration(const ast::VariableDeclaration& declaration,
                                const ast::VariableDeclarations& block, Place place) {
-    const bool no_value = block.block == VariableBlock::var_in_out ||
-                          block.block == VariableBlock::var_temp ||
-                          block.block == VariableBlock::var_external;
+    const bool no_value =
+        (block.block == VariableBlock::var_in_out || block.block == VariableBlock::var_temp ||
+         block.block == VariableBlock::var_external) &&
+        !has_derivable_value(declaration, block);
     const bool incomplete = declaration.location != nullptr && is_incomplete(*declaration.location);
     if (declaration.initial_value != nullptr && (no_value || incomplete)) {
         const std::uint32_t end = declaration.specification->end_token;
@@ -311,6 +312,22 @@ void Parser::check_declaration(const ast::VariableDeclaration& declaration,
                token_range(declaration.names[1]->first_token, declaration.names.back()->end_token));
     if (declaration.location != nullptr)
         check_location(declaration, block, place);
+}
+
+/// In blocks of variables without initial values: a string's, and in VAR_IN_OUT an instance's,
+/// stand in productions which these blocks share with others.
+bool Parser::has_derivable_value(const ast::VariableDeclaration& declaration,
+                                 const ast::VariableDeclarations& block) const noexcept {
+    if (declaration.initial_value == nullptr || block.block == VariableBlock::var_external)
+        return false;
+    const ast::TypeSpecification& type = *declaration.specification;
+    const TokenKind word = tokens_[type.first_token].kind();
+    const bool string = word == TokenKind::kw_string || word == TokenKind::kw_wstring;
+    if (string && declaration.initial_value->kind == ast::NodeKind::character_string)
+        return true;
+    return block.block == VariableBlock::var_in_out &&
+           type.kind == ast::NodeKind::derived_type_name &&
+           declaration.initial_value->kind == ast::NodeKind::structure_initialization;
 }
 
 /// True for the name of a standard function block: of other names it is not known here.
