@@ -82,10 +82,15 @@ public:
 
 private:
     void see(std::size_t i);
+    void open(std::size_t i);
     void close(std::size_t i);
     void cut_before(std::size_t i);
+    [[nodiscard]] bool closes_open(TokenKind closer) const noexcept;
     [[nodiscard]] bool is_misused_name(std::size_t i) const noexcept;
+    [[nodiscard]] bool opens_declaration(std::size_t i) const noexcept;
+    [[nodiscard]] bool is_prose(std::size_t i) const noexcept;
     [[nodiscard]] bool is_declaration_head(std::size_t i) const noexcept;
+    [[nodiscard]] bool goes_on_as_head(std::size_t i) const noexcept;
     [[nodiscard]] bool begins_declaration(std::size_t i) const noexcept;
     [[nodiscard]] bool is_program_configuration(std::size_t i) const noexcept;
     [[nodiscard]] bool can_follow_name(TokenKind opener, Token token) const noexcept;
@@ -98,6 +103,8 @@ private:
     std::vector<UnitCut> cuts_;
     std::size_t unit_begin_ = 0;
     TokenKind open_ = TokenKind::end_of_unit; // the opener; end_of_unit when nothing is open
+    std::size_t opener_ = 0;
+    bool variables_open_ = false; // a block of variables in it
 };
 
 std::vector<UnitCut> UnitCutter::run() {
@@ -114,42 +121,83 @@ void UnitCutter::see(std::size_t i) {
     const bool nothing_open = open_ == TokenKind::end_of_unit;
     switch (role_of(kind)) {
     case Role::closer: close(i); break;
+    case Role::variables: variables_open_ = !nothing_open; break;
     case Role::variables_end:
+        variables_open_ = false;
         if (open_ == TokenKind::kw_var_global)
             close(i);
         break;
     case Role::global_variables:
+        variables_open_ = !nothing_open;
         if (nothing_open && !is_misused_name(i))
-            open_ = kind;
+            open(i);
         break;
     case Role::opener:
-        if (!nothing_open && !is_declaration_head(i))
+        if (nothing_open ? !opens_declaration(i) : !is_declaration_head(i))
             break;
         if (!nothing_open)
             cut_before(i);
-        if (!is_misused_name(i))
-            open_ = kind;
+        open(i);
         break;
     default: break;
     }
 }
 
+void UnitCutter::open(std::size_t i) {
+    open_ = tokens_[i].kind();
+    opener_ = i;
+}
+
 // Any closing word ends what is open, or what was left over before it. Whether it is the right one
-// is the parser's to say.
+// is the parser's to say. But in a block of variables, that of another declaration is taken for
+// END_VAR.
 void UnitCutter::close(std::size_t i) {
-    const bool with_semicolon = at(i + 1).kind() == TokenKind::semicolon;
-    cut_before(i + (with_semicolon ? 2 : 1));
+    if (variables_open_ && !closes_open(tokens_[i].kind())) {
+        variables_open_ = false;
+        return;
+    }
+    do
+        ++i;
+    while (at(i).kind() == TokenKind::semicolon);
+    cut_before(i);
 }
 
 void UnitCutter::cut_before(std::size_t i) {
-    cuts_.push_back({static_cast<std::uint32_t>(i)});
+    const std::size_t opener = open_ == TokenKind::end_of_unit ? i : opener_;
+    cuts_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(opener)});
     unit_begin_ = i;
     open_ = TokenKind::end_of_unit;
+    variables_open_ = false;
+}
+
+bool UnitCutter::closes_open(TokenKind closer) const noexcept {
+    return std::any_of(brackets.begin(), brackets.end(), [this, closer](const Bracket& bracket) {
+        return bracket.opener == open_ && bracket.closer == closer;
+    });
 }
 
 // `TYPE : INT;`, `step.TYPE := 1`, `f(PROGRAM, 1)`: no declaration goes on like this.
 bool UnitCutter::is_misused_name(std::size_t i) const noexcept {
     return is_delimiter(at(i + 1).kind());
+}
+
+// While nothing is open, an opener begins a declaration. Behind text that belongs to nothing, which
+// can be prose that has such words in it, it must be a head; one word before it is passed over.
+bool UnitCutter::opens_declaration(std::size_t i) const noexcept {
+    if (is_misused_name(i))
+        return false;
+    const bool behind_one_word = i == unit_begin_ + 1;
+    return i == unit_begin_ ||
+           ((behind_one_word || begins_declaration(i)) && goes_on_as_head(i) && !is_prose(i));
+}
+
+// `PROGRAM that does`: what follows the name begins no statement.
+bool UnitCutter::is_prose(std::size_t i) const noexcept {
+    const Token second = at(i + 2);
+    const Token third = at(i + 3);
+    return tokens_[i].kind() != TokenKind::kw_type && second.kind() == TokenKind::identifier &&
+           !second.first_on_line() && third.kind() != TokenKind::assign &&
+           third.kind() != TokenKind::left_parenthesis;
 }
 
 // While something is open, an opener begins a new unit (and leaves the old one unclosed) only where
@@ -158,13 +206,19 @@ bool UnitCutter::is_declaration_head(std::size_t i) const noexcept {
     const TokenKind opener = tokens_[i].kind();
     if (is_misused_name(i) || !begins_declaration(i))
         return false;
+    if (opener == TokenKind::kw_program && open_ == TokenKind::kw_configuration &&
+        is_program_configuration(i))
+        return false;
+    return goes_on_as_head(i);
+}
+
+// True when the opener is followed by a name, and that by what can follow it.
+bool UnitCutter::goes_on_as_head(std::size_t i) const noexcept {
+    const TokenKind opener = tokens_[i].kind();
     const Token name = at(i + 1);
     if (opener == TokenKind::kw_type) // the name may stand on the next line
         return name.kind() == TokenKind::kw_end_type ||
                (can_be_name(name.kind()) && at(i + 2).kind() == TokenKind::colon);
-    if (opener == TokenKind::kw_program && open_ == TokenKind::kw_configuration &&
-        is_program_configuration(i))
-        return false;
     return can_be_name(name.kind()) && !name.first_on_line() && can_follow_name(opener, at(i + 2));
 }
 

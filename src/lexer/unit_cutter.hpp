@@ -11,6 +11,7 @@ namespace iecfront {
 /// A unit as a stretch of a token row: one library element declaration and the trivia before it.
 struct UnitCut {
     std::uint32_t end_token; // one past its last token
+    std::uint32_t opener;    // the word that opens the declaration; end_token when there is none
 };
 
 /// Cuts the tokens of a file (the last one is end_of_unit) into units, by a table of which word

@@ -119,8 +119,19 @@ const ast::Expression* Parser::parse_constant_expression(std::string what) {
     if (other_constant)
         report_node(*expression, DiagnosticId::unexpected_token, {"an integer", quoted(first)});
     else
-        report_node(*expression, DiagnosticId::constant_expression, {std::move(what)});
+        report_not_plain(*expression, std::move(what));
     return expression;
+}
+
+/// A constant in a notation, or an expression, that the standard does not have in this place.
+void Parser::report_not_plain(const ast::Expression& expression, std::string what) {
+    const TokenKind first = tokens_[expression.first_token].kind();
+    const bool constant = ast::is<ast::Constant>(expression.kind);
+    const char* found = !constant                           ? "an expression"
+                        : first == TokenKind::based_integer ? "a number with a base"
+                        : first == TokenKind::typed_literal ? "a number with a type"
+                                                            : "a number with a sign";
+    report_node(expression, DiagnosticId::constant_expression, {std::move(what), found});
 }
 
 /// Where the standard has an unsigned `integer` only.
@@ -128,7 +139,7 @@ const ast::Expression* Parser::parse_integer(std::string what) {
     const bool sign = at(TokenKind::minus) || at(TokenKind::plus);
     const ast::Expression* expression = parse_constant_expression(what);
     if (sign && is_signed_integer(*expression))
-        report_node(*expression, DiagnosticId::constant_expression, {std::move(what)});
+        report_not_plain(*expression, std::move(what));
     return expression;
 }
 

@@ -13,11 +13,12 @@ constexpr TokenSet brackets_end{TokenKind::right_parenthesis, TokenKind::right_b
 
 } // namespace
 
-Parser::Parser(std::string_view text, std::span<const Token> tokens, Arena& arena,
-               const ParseOptions& options)
+Parser::Parser(std::string_view text, std::span<const Token> tokens, std::uint32_t opener,
+               Arena& arena, const ParseOptions& options)
     : text_(text),
       tokens_(tokens.data()),
       count_(static_cast<std::uint32_t>(tokens.size()) - 1),
+      opener_(opener),
       arena_(arena),
       options_(options) {
     while (at(TokenKind::unknown))
@@ -135,6 +136,7 @@ Parser::Report& Parser::Report::insert(std::uint32_t offset, std::string words) 
     return replace({offset, offset}, std::move(words));
 }
 
+/// Of the blanks around what is removed one goes with it.
 Parser::Report& Parser::Report::remove(TextRange range) {
     return replace(parser_.with_blank(range), {});
 }

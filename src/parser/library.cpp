@@ -24,11 +24,13 @@ bool Parser::at_library_element_closer() const noexcept {
 const ast::LibraryUnit* Parser::parse_library_unit() {
     auto* unit = make<ast::LibraryUnit>();
     ListBuilder<ast::Node> elements(*this);
-    skip_stray_text(elements);
+    const bool misused = opener_ == count_ && at(openers); // `TYPE : INT;`
+    if (!misused)
+        skip_stray_text(elements, opener_ < count_ ? opener_ : find_misspelt_opener());
     if (!at_end()) {
         elements.add(parse_library_element());
         accept_extra_semicolon();
-        skip_stray_text(elements);
+        skip_stray_text(elements, count_);
     }
     unit->elements = elements.finish();
     unit->first_token = 0;
@@ -40,7 +42,14 @@ const ast::LibraryUnit* Parser::parse_library_unit() {
 //                             | function_block_declaration | program_declaration
 //                             | configuration_declaration ;
 const ast::Node* Parser::parse_library_element() {
-    switch (library_element_opener()) {
+    TokenKind opener = kind();
+    if (at(TokenKind::identifier)) {
+        opener = misspelt_opener(at_);
+        const std::string meant(spelling(opener));
+        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
+            .replace(token().range(), meant);
+    }
+    switch (opener) {
     case TokenKind::kw_type: return parse_data_type_declaration();
     case TokenKind::kw_function:
         return accept_split_opener()
@@ -55,16 +64,15 @@ const ast::Node* Parser::parse_library_element() {
     return parse_variable_declarations(Place::library);
 }
 
-/// The opening word at the cursor, also when it is misspelt; end_of_unit when there is none.
-TokenKind Parser::library_element_opener() const noexcept {
-    if (at(openers))
-        return kind();
-    if (!at(TokenKind::identifier) || peek() != TokenKind::identifier)
+/// The opening word of a library element that a misspelt one means; end_of_unit when it is none.
+TokenKind Parser::misspelt_opener(std::uint32_t index) const noexcept {
+    if (tokens_[index].kind() != TokenKind::identifier ||
+        tokens_[next(index)].kind() != TokenKind::identifier)
         return TokenKind::end_of_unit;
     for (const TokenKind opener :
          {TokenKind::kw_function_block, TokenKind::kw_function, TokenKind::kw_program,
           TokenKind::kw_configuration, TokenKind::kw_type})
-        if (is_misspelling(text(at_), spelling(opener)))
+        if (is_misspelling(text(index), spelling(opener)))
             return opener;
     return TokenKind::end_of_unit;
 }
@@ -85,22 +93,29 @@ bool Parser::accept_split_opener() {
     return true;
 }
 
-/// Passes over what is outside every declaration. It is reported once.
-void Parser::skip_stray_text(ListBuilder<ast::Node>& elements) {
-    if (at_end() || at(openers))
+/// Passes over what is outside every declaration, up to token `end`. It is reported once.
+void Parser::skip_stray_text(ListBuilder<ast::Node>& elements, std::uint32_t end) {
+    if (at_ >= end)
         return;
-    if (library_element_opener() == TokenKind::end_of_unit) {
-        auto* skipped = make<ast::SkippedText>();
-        report_at(at_, DiagnosticId::expected_library_element, {describe(at_)});
-        while (!at_end() && library_element_opener() == TokenKind::end_of_unit)
-            advance();
-        elements.add(finish(skipped));
-    }
-    if (!at_end() && !at(openers)) {
-        const std::string meant(spelling(library_element_opener()));
-        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
-            .replace(token().range(), meant);
-    }
+    auto* skipped = make<ast::SkippedText>();
+    report_at(at_, DiagnosticId::expected_library_element, {describe(at_)});
+    while (at_ < end)
+        advance();
+    elements.add(finish(skipped));
+}
+
+/// Where a declaration begins whose opening word is misspelt; only looked for when a closing word
+/// ends the unit.
+std::uint32_t Parser::find_misspelt_opener() const noexcept {
+    std::uint32_t last = count_;
+    while (last > 0 && tokens_[last - 1].kind() == TokenKind::semicolon)
+        --last;
+    if (last == 0 || !closers.contains(tokens_[last - 1].kind()))
+        return count_;
+    std::uint32_t i = at_;
+    while (i != count_ && misspelt_opener(i) == TokenKind::end_of_unit)
+        i = next(i);
+    return i;
 }
 
 /// Some dialects have a `;` behind closing words and heads of declarations.
@@ -118,7 +133,10 @@ void Parser::accept_extra_semicolon() {
 void Parser::accept_extra_semicolon_before_body() {
     static constexpr TokenSet block_openers =
         TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
-    if (block_openers.contains(peek()))
+    std::uint32_t behind = at_;
+    while (tokens_[behind].kind() == TokenKind::semicolon && behind - at_ < furthest_on_line)
+        behind = next(behind);
+    if (block_openers.contains(tokens_[behind].kind()))
         accept_extra_semicolon();
 }
 

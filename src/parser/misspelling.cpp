@@ -50,14 +50,22 @@ std::size_t distance(const Letters& a, const Letters& b) noexcept {
 
 } // namespace
 
-bool is_misspelling(std::string_view word, std::string_view meant) noexcept {
+std::optional<std::size_t> misspelt_letters(std::string_view word,
+                                            std::string_view meant) noexcept {
     const Letters a = letters_of(word);
     const Letters b = letters_of(meant);
     if (a.too_long || b.too_long)
-        return false;
+        return std::nullopt;
     const std::size_t allowed = b.size < 6 ? 1 : 2;
     const std::size_t difference = a.size < b.size ? b.size - a.size : a.size - b.size;
-    return difference <= allowed && distance(a, b) <= allowed;
+    if (difference > allowed)
+        return std::nullopt;
+    const std::size_t wrong = distance(a, b);
+    return wrong <= allowed ? std::optional(wrong) : std::nullopt;
+}
+
+bool is_misspelling(std::string_view word, std::string_view meant) noexcept {
+    return misspelt_letters(word, meant).has_value();
 }
 
 } // namespace iecfront

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace iecfront {
@@ -7,5 +9,9 @@ namespace iecfront {
 /// True when `word` is very probably meant to be the keyword `meant`: equal but for underscores, or
 /// at most two letters wrong, missing, extra or swapped (one in a short word).
 [[nodiscard]] bool is_misspelling(std::string_view word, std::string_view meant) noexcept;
+
+/// How many letters are then wrong; nothing when `meant` is not meant.
+[[nodiscard]] std::optional<std::size_t> misspelt_letters(std::string_view word,
+                                                          std::string_view meant) noexcept;
 
 } // namespace iecfront

@@ -30,8 +30,9 @@ namespace iecfront {
 ///   there
 class Parser {
 public:
-    /// `tokens` ends in an end_of_unit token. Nodes are made in `arena`.
-    Parser(std::string_view text, std::span<const Token> tokens, Arena& arena,
+    /// `tokens` ends in an end_of_unit token, which `opener` is as well when the unit cutter found
+    /// none. Nodes are made in `arena`.
+    Parser(std::string_view text, std::span<const Token> tokens, std::uint32_t opener, Arena& arena,
            const ParseOptions& options);
 
     // ---- library.cpp: B.0
@@ -244,7 +245,7 @@ private:
     [[nodiscard]] bool at_misspelt_closer() const noexcept;
     [[nodiscard]] bool at_split_word(std::string_view closer) const noexcept;
     [[nodiscard]] bool closes_open_bracket() const noexcept;
-    [[nodiscard]] bool at_mismatched_closer() const noexcept;
+    [[nodiscard]] bool at_mismatched_closer();
     /// How many more blocks of this kind begin in the unit than are closed.
     [[nodiscard]] std::int32_t& unclosed(TokenKind closer);
     [[nodiscard]] bool at_declaration_start() const noexcept;
@@ -266,11 +267,14 @@ private:
     [[nodiscard]] bool is_faulty(const ast::Expression& expression,
                                  std::size_t reports) const noexcept;
     const ast::Expression* parse_integer(std::string what);
+    void report_not_plain(const ast::Expression& expression, std::string what);
 
     // ---- types.cpp: B.1.3
     enum class StructureUse { named, anonymous };
     const ast::DataTypeDeclaration* parse_data_type_declaration();
     const ast::Node* parse_type_declaration();
+    const ast::TypeDeclaration* parse_struct_before_name();
+    void parse_structure_elements(ast::StructureDeclaration& structure, std::uint32_t opener);
     const ast::ErrorDeclaration* parse_error_declaration(std::string what);
     void report_empty_block(std::uint32_t opener);
     void expect_colon();
@@ -315,9 +319,18 @@ private:
     [[nodiscard]] bool at_end_of_declarations();
     [[nodiscard]] bool at_declarations_without_opener();
     [[nodiscard]] bool at_unknown_block() const noexcept;
-    void check_block(const ast::VariableDeclarations& block, Place place);
+    [[nodiscard]] TokenKind misspelt_block_opener() const noexcept;
+    void parse_block_head(ast::VariableDeclarations& block, Place place);
+    TokenKind accept_split_block_opener();
+    void accept_misspelt(TokenKind meant);
+    void report_swapped(std::uint32_t second);
+    [[nodiscard]] TokenKind misspelt_qualifier() const noexcept;
+    [[nodiscard]] bool at_unknown_qualifier() const noexcept;
+    const ast::VariableDeclaration* parse_names_only(ast::VariableDeclaration* node);
+    void check_block(const ast::VariableDeclarations& block, std::uint32_t qualifier, Place place);
     ast::BlockQualifier parse_block_qualifiers();
-    void check_qualifier(const ast::VariableDeclarations& block, Place place);
+    void check_qualifier(const ast::VariableDeclarations& block, std::uint32_t qualifier,
+                         Place place);
     const ast::Node* parse_declaration(const ast::VariableDeclarations& block, Place place);
     const ast::VariableDeclaration*
     parse_variable_declaration(const ast::VariableDeclarations& block, Place place);
@@ -474,8 +487,9 @@ private:
     // ---- library.cpp
     const ast::Node* parse_library_element();
     bool accept_split_opener();
-    void skip_stray_text(ListBuilder<ast::Node>& elements);
-    [[nodiscard]] TokenKind library_element_opener() const noexcept;
+    void skip_stray_text(ListBuilder<ast::Node>& elements, std::uint32_t end);
+    [[nodiscard]] std::uint32_t find_misspelt_opener() const noexcept;
+    [[nodiscard]] TokenKind misspelt_opener(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_library_element_closer() const noexcept;
     void accept_extra_semicolon();
     void accept_extra_semicolon_before_body();
@@ -483,6 +497,7 @@ private:
     std::string_view text_;
     const Token* tokens_;   // the last one is end_of_unit
     std::uint32_t count_;   // without end_of_unit
+    std::uint32_t opener_;  // see UnitCut
     std::uint32_t at_ = 0;  // current token
     std::uint32_t end_ = 0; // one past the last token consumed
     std::uint32_t nesting_ = 0;

@@ -66,7 +66,7 @@ void Parser::skip_rest_of_head() {
         return;
     }
     if (token().first_on_line() || at(block_openers) || at(library_element_closers) ||
-        at_statement_start() || body_begins_in_head())
+        at_declarations_without_opener() || at_statement_start() || body_begins_in_head())
         return;
     report_unexpected("a declaration block or the body");
     while (!token().first_on_line() && !at(block_openers) && !at(library_element_closers))

@@ -130,15 +130,17 @@ bool Parser::at_split_word(std::string_view closer) const noexcept {
 
 /// A closing word of another kind that can only be meant to close the innermost block: it closes
 /// nothing else, or stands in the column of this block's opener.
-bool Parser::at_mismatched_closer() const noexcept {
+bool Parser::at_mismatched_closer() {
     if (open_.empty() || !at(closers))
         return false;
     const OpenBlock& inner = open_.back();
     if (at(TokenKind::kw_end_resource) && inner.closer == TokenKind::kw_end_configuration)
         return true;
-    if (library_element_closers.contains(inner.closer) || library_element_closers.contains(kind()))
-        return library_element_closers.contains(inner.closer) &&
-               library_element_closers.contains(kind());
+    if (library_element_closers.contains(inner.closer))
+        return library_element_closers.contains(kind()) ||
+               (unclosed(inner.closer) > 0 && peek() == TokenKind::end_of_unit);
+    if (library_element_closers.contains(kind()))
+        return inner.closer == TokenKind::kw_end_var && unclosed(kind()) < 0;
     const auto outer = std::find_if(open_.rbegin(), open_.rend(), [this](const OpenBlock& block) {
         return block.closer == kind();
     });

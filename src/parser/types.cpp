@@ -55,6 +55,8 @@ const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string what) {
 // type_declaration = single_element_type_declaration | array_type_declaration
 //                  | structure_type_declaration | string_type_declaration ;
 const ast::Node* Parser::parse_type_declaration() {
+    if (at(TokenKind::kw_struct) && peek() == TokenKind::identifier)
+        return parse_struct_before_name();
     if (!at(TokenKind::identifier) && !(is_keyword(kind()) && peek() == TokenKind::colon))
         return parse_error_declaration("a type declaration");
     auto* node = make<ast::TypeDeclaration>();
@@ -70,6 +72,24 @@ const ast::Node* Parser::parse_type_declaration() {
             .remove({tokens_[type_end - 1].end(), tokens_[node->end_token - 1].end()});
     else
         check_initial_value(*node->specification, node->initial_value);
+    expect_semicolon_of_declaration();
+    return node;
+}
+
+/// `STRUCT S ... END_STRUCT`, which is meant to be `S : STRUCT ... END_STRUCT`.
+const ast::TypeDeclaration* Parser::parse_struct_before_name() {
+    auto* node = make<ast::TypeDeclaration>();
+    const std::uint32_t opener = advance();
+    const TextRange range = token_range(opener, at_ + 1);
+    const std::string meant = std::string(text(at_)) + " : " + std::string(text(opener));
+    report(DiagnosticId::unexpected_token, range,
+           {"`" + meant + "`", "`" + std::string(text_.substr(range.begin, range.size())) + "`"})
+        .replace(range, meant);
+    node->name = parse_declared_name("the name of a data type");
+    auto* structure = make<ast::StructureDeclaration>();
+    parse_structure_elements(*structure, opener);
+    node->specification = finish(structure);
+    finish(node);
     expect_semicolon_of_declaration();
     return node;
 }
@@ -410,15 +430,20 @@ const ast::TypeSpecification* Parser::parse_structure_declaration() {
     if (guard.too_deep())
         return parse_too_deep_type();
     auto* node = make<ast::StructureDeclaration>();
-    open_block(TokenKind::kw_end_struct, advance());
+    parse_structure_elements(*node, advance());
+    return finish(node);
+}
+
+/// The elements of the structure that the token `opener` opens, and its closing word.
+void Parser::parse_structure_elements(ast::StructureDeclaration& structure, std::uint32_t opener) {
+    open_block(TokenKind::kw_end_struct, opener);
     ListBuilder<ast::Node> elements(*this);
     while (!at_end_of_declarations())
         add_in_loop(elements, [this] { return parse_structure_element_declaration(); });
     if (elements.empty())
-        report_empty_block(open_.back().opener);
-    node->elements = elements.finish();
+        report_empty_block(opener);
+    structure.elements = elements.finish();
     close_block(";");
-    return finish(node);
 }
 
 // structure_element_declaration = structure_element_name ":"
@@ -491,7 +516,7 @@ const ast::Expression* Parser::parse_initial_value() {
     if (value->kind == ast::NodeKind::variable_name)
         return as_enumerated_value(*value);
     if (!is_faulty(*value, reports))
-        report_node(*value, DiagnosticId::constant_expression, {"an initial value"});
+        report_not_plain(*value, "an initial value");
     return value;
 }
 
@@ -553,7 +578,7 @@ void Parser::check_initial_value(const ast::TypeSpecification& type, const ast::
     if (fits)
         return;
     if (name || (subrange && other_number)) // the name of a constant, a number in another notation
-        report_node(*value, DiagnosticId::constant_expression, {"an initial value"});
+        report_not_plain(*value, "an initial value");
     else
         report_at(value->first_token, DiagnosticId::unexpected_token,
                   {needed, quoted(value->first_token)});

@@ -18,6 +18,7 @@ public:
 
     [[nodiscard]] std::shared_ptr<const Unit> parse_next() {
         const std::uint32_t end_token = source_.cuts[cut_].end_token;
+        const std::uint32_t opener = source_.cuts[cut_].opener - token_;
         const std::uint32_t end = source_.unit_end(cut_);
         const bool last = ++cut_ == source_.cuts.size();
 
@@ -34,7 +35,7 @@ public:
         if (auto broken = check_encoding(parts.text, parts.encoding))
             parts.diagnostics.push_back(std::move(*broken));
 
-        Parser parser(parts.text, tokens, parts.arena, options_);
+        Parser parser(parts.text, tokens, opener, parts.arena, options_);
         parts.root = parser.parse_fragment(options_.read_as);
         append_sorted(parts.diagnostics, parser.take_diagnostics());
         begin_ = end;
@@ -136,10 +137,11 @@ LexedUnits lex_units(std::shared_ptr<const std::string> buffer, Encoding encodin
                      bool at_file_start, FragmentKind read_as) {
     LexedUnits result{std::move(buffer), encoding, {}, {}};
     result.lexed = lex(*result.buffer, encoding, at_file_start);
+    const auto end = static_cast<std::uint32_t>(result.lexed.tokens.size() - 1);
     if (read_as == FragmentKind::library)
         result.cuts = cut_units(result.lexed.tokens);
     else
-        result.cuts.push_back({static_cast<std::uint32_t>(result.lexed.tokens.size() - 1)});
+        result.cuts.push_back({end, end});
     return result;
 }
 

@@ -1,3 +1,4 @@
+#include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/literals.hpp>
@@ -23,14 +24,24 @@ constexpr TokenSet ends_of_declarations =
                              TokenKind::kw_return,       TokenKind::kw_exit,
                              TokenKind::kw_initial_step};
 
+constexpr TokenSet qualifiers{TokenKind::kw_constant, TokenKind::kw_retain,
+                              TokenKind::kw_non_retain};
+
+// What follows the opening word of a block.
+constexpr TokenSet after_opener = qualifiers | TokenSet{TokenKind::identifier};
+
 VariableBlock block_of(TokenKind opener) noexcept {
     return static_cast<VariableBlock>(static_cast<unsigned>(opener) -
                                       static_cast<unsigned>(TokenKind::kw_var));
 }
 
-TokenKind opener_of(const ast::VariableDeclarations& block) noexcept {
+TokenKind opener_of(VariableBlock block) noexcept {
     return static_cast<TokenKind>(static_cast<unsigned>(TokenKind::kw_var) +
-                                  static_cast<unsigned>(block.block));
+                                  static_cast<unsigned>(block));
+}
+
+ast::Edge edge_of(TokenKind word) noexcept {
+    return word == TokenKind::kw_r_edge ? ast::Edge::rising : ast::Edge::falling;
 }
 
 /// Which blocks each place can have (B.1.5, B.1.7), and which qualifiers (B.1.4.3).
@@ -71,11 +82,32 @@ bool Parser::at_unknown_block() const noexcept {
            peek() != TokenKind::assign && peek() != TokenKind::colon;
 }
 
-/// True at declarations whose opening word is missing: an END_VAR closes nothing otherwise.
+/// The opening word of a block that is meant by a misspelt one at the cursor; end_of_unit when it
+/// is none.
+TokenKind Parser::misspelt_block_opener() const noexcept {
+    TokenKind meant = TokenKind::end_of_unit;
+    if (!at(TokenKind::identifier) || !after_opener.contains(peek()))
+        return meant;
+    std::size_t fewest = 2;
+    for (const BlockRow& row : block_rows) {
+        const auto opener = opener_of(static_cast<VariableBlock>(&row - block_rows));
+        const auto wrong = misspelt_letters(text(at_), spelling(opener));
+        if (wrong && *wrong < fewest) {
+            fewest = *wrong;
+            meant = opener;
+        }
+    }
+    return meant;
+}
+
+/// True at declarations whose opening word is missing or has a fault: an END_VAR closes nothing
+/// otherwise.
 bool Parser::at_declarations_without_opener() {
-    static constexpr TokenSet qualifiers{TokenKind::kw_constant, TokenKind::kw_retain,
-                                         TokenKind::kw_non_retain};
-    if ((at(qualifiers) || at_unknown_block()) && unclosed(TokenKind::kw_end_var) < 0)
+    if (at(qualifiers) && block_openers.contains(peek()))
+        return true;
+    if ((at(qualifiers) || at_unknown_block() ||
+         misspelt_block_opener() != TokenKind::end_of_unit) &&
+        unclosed(TokenKind::kw_end_var) < 0)
         return true;
     return (at_declaration_start() || (at(TokenKind::identifier) && peek() == TokenKind::comma)) &&
            peek_second() != TokenKind::equal && unclosed(TokenKind::kw_end_var) < 0;
@@ -92,27 +124,7 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     auto* node = make<ast::VariableDeclarations>();
     const std::uint32_t opener = at_;
     open_block(TokenKind::kw_end_var, opener);
-    if (at(block_openers)) {
-        node->block = block_of(kind());
-        advance();
-        node->qualifier = parse_block_qualifiers();
-        check_block(*node, place);
-    } else {
-        node->block = place == Place::configuration || place == Place::resource
-                          ? VariableBlock::var_global
-                          : VariableBlock::var;
-        const std::string word(spelling(opener_of(*node)));
-        ++unclosed(TokenKind::kw_end_var);
-        if (at_unknown_block()) {
-            report_at(at_, DiagnosticId::unknown_block, {std::string(text(at_))})
-                .replace(token().range(), word);
-            advance();
-        } else {
-            report_missing(DiagnosticId::missing_token, {"`" + word + "`"})
-                .insert(token().offset(), word + " ");
-        }
-        node->qualifier = parse_block_qualifiers();
-    }
+    parse_block_head(*node, place);
     ListBuilder<ast::Node> declarations(*this);
     while (!at_end_of_declarations())
         add_in_loop(declarations, [&] { return parse_declaration(*node, place); });
@@ -129,25 +141,129 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     return node;
 }
 
+/// The opening word and its qualifier, or what stands for them.
+void Parser::parse_block_head(ast::VariableDeclarations& block, Place place) {
+    if (at(block_openers)) {
+        block.block = block_of(accept_split_block_opener());
+        advance();
+        const std::uint32_t qualifier = at_;
+        block.qualifier = parse_block_qualifiers();
+        check_block(block, qualifier, place);
+        return;
+    }
+    if (at(qualifiers) && block_openers.contains(peek())) {
+        report_swapped(next(at_));
+        block.qualifier = parse_block_qualifiers();
+        block.block = block_of(kind());
+        advance();
+        return;
+    }
+    ++unclosed(TokenKind::kw_end_var);
+    const bool globals = place == Place::configuration || place == Place::resource;
+    block.block = globals ? VariableBlock::var_global : VariableBlock::var;
+    if (const TokenKind meant = misspelt_block_opener(); meant != TokenKind::end_of_unit) {
+        block.block = block_of(meant);
+        accept_misspelt(meant);
+    } else if (at_unknown_block()) {
+        report_at(at_, DiagnosticId::unknown_block, {std::string(text(at_))})
+            .replace(token().range(), std::string(spelling(opener_of(block.block))));
+        advance();
+    } else {
+        const std::string word(spelling(opener_of(block.block)));
+        report_missing(DiagnosticId::missing_token, {"`" + word + "`"})
+            .insert(token().offset(), word + " ");
+    }
+    block.qualifier = parse_block_qualifiers();
+}
+
+/// Reports the token at the cursor and `second` behind it, which stand in the wrong order.
+void Parser::report_swapped(std::uint32_t second) {
+    const TextRange range = token_range(at_, second + 1);
+    const std::string meant = std::string(text(second)) + " " + std::string(text(at_));
+    report(DiagnosticId::unexpected_token, range,
+           {"`" + meant + "`", "`" + std::string(text_.substr(range.begin, range.size())) + "`"})
+        .replace(range, meant);
+}
+
+/// Takes a misspelt keyword.
+void Parser::accept_misspelt(TokenKind meant) {
+    const std::string word(spelling(meant));
+    report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), word})
+        .replace(token().range(), word);
+    advance();
+}
+
+/// `VAR INPUT a : INT;`: passes over the first word, and gives what the two mean.
+TokenKind Parser::accept_split_block_opener() {
+    const std::uint32_t second = next(at_);
+    const bool two_words = at(TokenKind::kw_var) &&
+                           tokens_[second].kind() == TokenKind::identifier &&
+                           after_opener.contains(tokens_[next(second)].kind());
+    if (!two_words)
+        return kind();
+    const std::string word = "VAR_" + std::string(text(second));
+    for (const BlockRow& row : block_rows) {
+        const auto meant = opener_of(static_cast<VariableBlock>(&row - block_rows));
+        if (!names_equal(word, spelling(meant)))
+            continue;
+        const TextRange words = token_range(at_, second + 1);
+        report(DiagnosticId::misspelt_word, words,
+               {std::string(text_.substr(words.begin, words.size())), std::string(spelling(meant))})
+            .replace(words, std::string(spelling(meant)));
+        advance();
+        return meant;
+    }
+    return kind();
+}
+
 // [ "CONSTANT" | "RETAIN" | "NON_RETAIN" ]
 ast::BlockQualifier Parser::parse_block_qualifiers() {
     BlockQualifier qualifier = BlockQualifier::none;
-    for (;; advance()) {
+    for (;;) {
         BlockQualifier here{};
-        switch (kind()) {
+        switch (misspelt_qualifier()) {
         case TokenKind::kw_constant: here = BlockQualifier::constant; break;
         case TokenKind::kw_retain: here = BlockQualifier::retain; break;
         case TokenKind::kw_non_retain: here = BlockQualifier::non_retain; break;
-        default: return qualifier;
+        default:
+            if (!at_unknown_qualifier())
+                return qualifier;
+            report_at(at_, DiagnosticId::unknown_qualifier, {std::string(text(at_))})
+                .remove(token().range());
+            advance();
+            continue;
         }
         if (qualifier != BlockQualifier::none)
             report_at(at_, DiagnosticId::several_qualifiers).remove(token().range());
         else
             qualifier = here;
+        if (at(TokenKind::identifier))
+            accept_misspelt(misspelt_qualifier());
+        else
+            advance();
     }
 }
 
-void Parser::check_block(const ast::VariableDeclarations& block, Place place) {
+/// The qualifier at the cursor, also a misspelt one; end_of_unit when there is none.
+TokenKind Parser::misspelt_qualifier() const noexcept {
+    if (at(qualifiers))
+        return kind();
+    if (at(TokenKind::identifier) && !token().first_on_line() && after_opener.contains(peek()))
+        for (const TokenKind meant :
+             {TokenKind::kw_constant, TokenKind::kw_retain, TokenKind::kw_non_retain})
+            if (is_misspelling(text(at_), spelling(meant)))
+                return meant;
+    return TokenKind::end_of_unit;
+}
+
+/// At `PERSISTENT` and its like of other dialects, on the line of the opening word.
+bool Parser::at_unknown_qualifier() const noexcept {
+    return at(TokenKind::identifier) && !token().first_on_line() && after_opener.contains(peek()) &&
+           (tokens_[next(at_)].first_on_line() || names_equal(text(at_), "PERSISTENT"));
+}
+
+void Parser::check_block(const ast::VariableDeclarations& block, std::uint32_t qualifier,
+                         Place place) {
     const BlockRow& row = block_rows[static_cast<std::size_t>(block.block)];
     const std::uint32_t opener = block.first_token;
     const std::string word(text(opener));
@@ -167,10 +283,11 @@ void Parser::check_block(const ast::VariableDeclarations& block, Place place) {
     else if (!fits)
         report_at(opener, DiagnosticId::block_not_in_this_unit, {word, std::string(where)});
     else
-        check_qualifier(block, place);
+        check_qualifier(block, qualifier, place);
 }
 
-void Parser::check_qualifier(const ast::VariableDeclarations& block, Place place) {
+void Parser::check_qualifier(const ast::VariableDeclarations& block, std::uint32_t qualifier,
+                             Place place) {
     const BlockRow& row = block_rows[static_cast<std::size_t>(block.block)];
     bool fits = true;
     switch (block.qualifier) {
@@ -181,7 +298,6 @@ void Parser::check_qualifier(const ast::VariableDeclarations& block, Place place
     }
     if (fits)
         return;
-    const std::uint32_t qualifier = next(block.first_token);
     report_at(qualifier, DiagnosticId::qualifier_of_block,
               {std::string(text(qualifier)), std::string(text(block.first_token))});
 }
@@ -208,10 +324,19 @@ Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place
     if (!at(TokenKind::kw_at) || peek() == TokenKind::colon || peek() == TokenKind::comma)
         parse_declared_names(names, block);
     node->names = names.finish();
+    if (at(TokenKind::identifier) && peek() == TokenKind::identifier && !colon_follows_on_line())
+        return parse_names_only(node);
     node->location = parse_optional_location();
     expect_colon();
+    const bool edge_first =
+        (at(TokenKind::kw_r_edge) || at(TokenKind::kw_f_edge)) && is_elementary_type_name(peek());
+    if (edge_first) {
+        report_swapped(next(at_));
+        node->edge = edge_of(tokens_[advance()].kind());
+    }
     node->specification = parse_type_specification();
-    node->edge = parse_optional_edge(block, place, *node->specification);
+    if (!edge_first)
+        node->edge = parse_optional_edge(block, place, *node->specification);
     node->initial_value = parse_optional_initial_value();
     finish(node);
     check_declaration(*node, block, place);
@@ -219,12 +344,22 @@ Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place
     return node;
 }
 
+/// `b c d e;`: words without a colon and a type.
+const ast::VariableDeclaration* Parser::parse_names_only(ast::VariableDeclaration* node) {
+    report_unexpected("`:`");
+    skip_declaration();
+    node->specification = make_missing<ast::ErrorType>();
+    accept(TokenKind::semicolon);
+    return finish(node);
+}
+
 // var1_list = variable_name { "," variable_name } ;
 void Parser::parse_declared_names(ListBuilder<ast::Identifier>& names,
                                   const ast::VariableDeclarations& block) {
     do
         names.add(parse_variable_name(block));
-    while (accept(TokenKind::comma) || (at(TokenKind::identifier) && accept_missing_comma()));
+    while (accept(TokenKind::comma) ||
+           (at(TokenKind::identifier) && colon_follows_on_line() && accept_missing_comma()));
 }
 
 /// A variable's name in its declaration; EN and ENO have their places (6.1 D23).
@@ -280,8 +415,7 @@ ast::Edge Parser::parse_optional_edge(const ast::VariableDeclarations& block, Pl
         report_at(at_, DiagnosticId::edge_outside_input, {word}).remove(token().range());
     else if (!is_bool || peek() == TokenKind::assign)
         report_at(at_, DiagnosticId::edge_needs_bool, {word});
-    return tokens_[advance()].kind() == TokenKind::kw_r_edge ? ast::Edge::rising
-                                                             : ast::Edge::falling;
+    return edge_of(tokens_[advance()].kind());
 }
 
 // ---- checks -------------------------------------------------------------------------------------

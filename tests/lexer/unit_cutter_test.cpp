@@ -56,9 +56,22 @@ TEST(UnitCutter, EveryLibraryElementIsAUnit) {
                      "CONFIGURATION c END_CONFIGURATION"}));
 }
 
-TEST(UnitCutter, SemicolonBehindTheClosingWordBelongsToIt) {
+TEST(UnitCutter, SemicolonsBehindTheClosingWordBelongToIt) {
     EXPECT_EQ(units("PROGRAM p END_PROGRAM ; TYPE END_TYPE; ;"),
-              (Units{"PROGRAM p END_PROGRAM ;", "TYPE END_TYPE ;", ";"}));
+              (Units{"PROGRAM p END_PROGRAM ;", "TYPE END_TYPE ; ;"}));
+}
+
+TEST(UnitCutter, WordsOfProseOpenNothing) {
+    EXPECT_EQ(units("this is a PROGRAM that does\nPROGRAM that does, too\n"
+                    "PROGRAM p END_PROGRAM the TYPE below TYPE t : INT; END_TYPE"),
+              (Units{"this is a PROGRAM that does PROGRAM that does , too PROGRAM p END_PROGRAM",
+                     "the TYPE below TYPE t : INT ; END_TYPE"}));
+}
+
+TEST(UnitCutter, ClosingWordOfAnotherDeclarationEndsABlockOfVariables) {
+    EXPECT_EQ(
+        units("PROGRAM p VAR a : INT; END_TYPE a := 1; END_PROGRAM PROGRAM q END_PROGRAM"),
+        (Units{"PROGRAM p VAR a : INT ; END_TYPE a := 1 ; END_PROGRAM", "PROGRAM q END_PROGRAM"}));
 }
 
 TEST(UnitCutter, StrayTokensGoWithTheDeclarationBehindThem) {
