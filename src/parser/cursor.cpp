@@ -136,7 +136,6 @@ Parser::Report& Parser::Report::insert(std::uint32_t offset, std::string words) 
     return replace({offset, offset}, std::move(words));
 }
 
-/// Of the blanks around what is removed one goes with it.
 Parser::Report& Parser::Report::remove(TextRange range) {
     return replace(parser_.with_blank(range), {});
 }
