@@ -88,6 +88,12 @@ Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const n
     return operand ? LineKind::application : LineKind::other;
 }
 
+/// True for the second half of `&N`, which is two tokens.
+bool Parser::ends_operator(std::uint32_t index) const noexcept {
+    return index > at_ && tokens_[index - 1].kind() == TokenKind::ampersand &&
+           tokens_[index - 1].end() == tokens_[index].offset() && names_equal(text(index), "N");
+}
+
 /// The language of the body that begins here (6.2 A28). Each line that reads as an instruction
 /// speaks for IL, each `;`, `:=` and statement for ST, and the majority decides, so that one
 /// mistake never turns a whole body into another language.
@@ -113,7 +119,7 @@ ast::BodyLanguage Parser::body_language() const noexcept {
                 return ast::BodyLanguage::sequential_function_chart;
         const bool call = line == LineKind::other && depth == 0 && i > at_ &&
                           tokens_[i - 1].kind() == TokenKind::identifier &&
-                          !is_il_operator(text(i - 1));
+                          !is_il_operator(text(i - 1)) && !ends_operator(i - 1);
         switch (here) {
         case TokenKind::left_parenthesis:
             // Behind the parenthesis of an IL call the line ends.

@@ -228,7 +228,7 @@ const ast::Expression* Parser::parse_unary() {
     if (!minus && !plus && !at(TokenKind::kw_not))
         return parse_primary();
     if (at(TokenKind::kw_not) && peek() == TokenKind::left_parenthesis && formal_list_follows())
-        return parse_operator_call();
+        return check_function_call(parse_operator_call());
     const NestingGuard guard(*this);
     if (guard.too_deep())
         return parse_too_deep_expression();

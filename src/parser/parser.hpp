@@ -365,6 +365,7 @@ private:
     [[nodiscard]] ast::BodyLanguage body_language() const noexcept; // body_language.cpp
     enum class LineKind { operation, application, other };
     [[nodiscard]] LineKind line_kind(std::uint32_t index, LineKind before) const noexcept;
+    [[nodiscard]] bool ends_operator(std::uint32_t index) const noexcept;
     [[nodiscard]] bool begins_chart_element(std::uint32_t index) const noexcept;
     [[nodiscard]] bool body_begins_in_head() const noexcept;
 

@@ -15,7 +15,7 @@ namespace iecfront::test {
 namespace {
 
 constexpr std::uint32_t seed = 2;
-constexpr std::size_t sentence_count = 6000;
+constexpr std::size_t sentence_count = 5000;
 
 /// The codes that no known difference explains, in words; empty when there are none.
 [[nodiscard]] std::string unexplained(const SyntaxTree& tree) {
@@ -30,10 +30,10 @@ constexpr std::size_t sentence_count = 6000;
     return !unexplained(parse(SourceText(text))).empty();
 }
 
-/// Instruction lists and charts are not examined yet.
+/// Charts are not examined yet, so that the tree has no bodies of actions.
 [[nodiscard]] bool is_examined(const Sentence& sentence) {
-    return std::all_of(sentence.bodies.begin(), sentence.bodies.end(),
-                       [](const std::string& language) { return language == "statement_list"; });
+    return std::find(sentence.bodies.begin(), sentence.bodies.end(), "sequential_function_chart") ==
+           sentence.bodies.end();
 }
 
 void expect_accepted(const Sentence& sentence) {

@@ -190,15 +190,7 @@ void resolve(Grammar& grammar) {
         resolve_one(resolve_one, production.body);
 }
 
-} // namespace
-
-const Production* Grammar::find(std::string_view name) const {
-    const auto found = std::find_if(productions.begin(), productions.end(),
-                                    [&](const Production& one) { return one.name == name; });
-    return found == productions.end() ? nullptr : &*found;
-}
-
-Grammar read_grammar(std::string_view document, std::string_view mark) {
+[[nodiscard]] Grammar read_blocks(std::string_view document, std::string_view mark) {
     Grammar grammar;
     std::string heading;
     std::string block;
@@ -216,6 +208,34 @@ Grammar read_grammar(std::string_view document, std::string_view mark) {
         } else if (!fenced && line.starts_with('#')) {
             heading = line.substr(std::min(line.find_first_not_of("# "), line.size()));
         }
+    }
+    return grammar;
+}
+
+} // namespace
+
+const Production* Grammar::find(std::string_view name) const {
+    const auto found = std::find_if(productions.begin(), productions.end(),
+                                    [&](const Production& one) { return one.name == name; });
+    return found == productions.end() ? nullptr : &*found;
+}
+
+Grammar read_grammar(std::string_view document, std::string_view mark) {
+    Grammar grammar = read_blocks(document, mark);
+    resolve(grammar);
+    return grammar;
+}
+
+Grammar read_grammar_with(std::string_view document, std::string_view replacing) {
+    Grammar grammar = read_blocks(document, "ebnf");
+    for (Production& production : read_blocks(document, replacing).productions) {
+        const auto replaced =
+            std::find_if(grammar.productions.begin(), grammar.productions.end(),
+                         [&](const Production& one) { return one.name == production.name; });
+        if (replaced == grammar.productions.end())
+            grammar.productions.push_back(std::move(production));
+        else
+            *replaced = std::move(production);
     }
     resolve(grammar);
     return grammar;

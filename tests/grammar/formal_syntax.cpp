@@ -9,7 +9,9 @@ FormalSyntax::FormalSyntax()
       grammar(read_grammar(document)),
       words(grammar, document),
       lexical(grammar, words),
-      differences(document) {}
+      differences(document),
+      lenient_grammar(read_grammar_with(document, "ebnf-silent")),
+      lenient_lexical(lenient_grammar, words) {}
 
 const FormalSyntax& formal_syntax() {
     static const FormalSyntax one;

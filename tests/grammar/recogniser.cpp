@@ -175,10 +175,17 @@ struct Symbol {
     TextRange range;   // in the text
 };
 
-[[nodiscard]] std::vector<Symbol> symbols_of(std::string_view text) {
-    const std::string terminated(text); // a zero byte stands behind it
+/// A whole comment that holds no other, or a whole pragma.
+[[nodiscard]] bool is_separator(std::string_view trivia) {
+    return trivia.starts_with('{')
+               ? trivia.ends_with('}')
+               : trivia.starts_with("(*") && trivia.find("(*", 2) == std::string_view::npos &&
+                     trivia.size() >= 4 && trivia.ends_with("*)");
+}
+
+[[nodiscard]] std::vector<Symbol> symbols_of(std::string_view text, const LexedText& lexed) {
     std::vector<Symbol> symbols;
-    for (const Token token : lex(terminated, Encoding::utf8).tokens) {
+    for (const Token token : lexed.tokens) {
         if (token.first_on_line() && !symbols.empty())
             symbols.push_back({{}, {token.offset(), token.offset()}});
         if (token.kind() != TokenKind::end_of_unit)
@@ -269,7 +276,14 @@ private:
 } // namespace
 
 bool derives(const Grammar& grammar, const LexicalRecogniser& lexical, std::string_view text) {
-    return TokenRecogniser(grammar, lexical, text, symbols_of(text)).derives_all();
+    const std::string terminated(text); // a zero byte stands behind it
+    const LexedText lexed = lex(terminated, Encoding::utf8);
+    const bool well_separated =
+        std::all_of(lexed.trivia.begin(), lexed.trivia.end(), [&](const Trivia& one) {
+            return is_separator(text.substr(one.range.begin, one.range.size()));
+        });
+    return well_separated &&
+           TokenRecogniser(grammar, lexical, text, symbols_of(text, lexed)).derives_all();
 }
 
 } // namespace iecfront::test

@@ -71,6 +71,14 @@ TEST(Recogniser, TakesTerminalsInAnyCaseAndNoKeywordForAName) {
     EXPECT_FALSE(language.derives("ABX"));
 }
 
+TEST(Recogniser, SeparatesTokensByWholeCommentsAndPragmas) {
+    const SmallLanguage language("start = \"A\" \"B\" ;");
+    for (const char* text : {"A(**)B", "A (* x *) {y} B (* \n *)"})
+        EXPECT_TRUE(language.derives(text)) << text;
+    for (const char* text : {"A B // x", "A /* x */ B", "A B (* x", "A (* (* x *) *) B", "A B { x"})
+        EXPECT_FALSE(language.derives(text)) << text;
+}
+
 TEST(Recogniser, LooksIntoTokens) {
     const SmallLanguage language("start = { signed_integer | named | text } ;");
     for (const char* text : {"10", "-10", "a#b1", "A#X -0", "'$L'", "'a $L'"})

@@ -130,7 +130,7 @@ std::size_t SentenceDeriver::choose(const Expression& alternatives, std::size_t 
         if (least_size_[alternatives.parts[i].number] <= limit)
             fitting.push_back(i);
     std::size_t way = fitting[random(fitting.size())];
-    if (random(4) == 0)
+    if (random(3) == 0)
         way = *std::min_element(fitting.begin(), fitting.end(),
                                 [&](std::size_t a, std::size_t b) { return taken[a] < taken[b]; });
     ++taken[way];
