@@ -131,7 +131,8 @@ ast::List<ast::Node> Parser::parse_configuration_elements(Place place) {
 }
 
 bool Parser::at_end_of_configuration_elements(Place place) {
-    if (at(TokenKind::end_of_unit) || at_library_element_closer() || at_misspelt_closer())
+    if (at(TokenKind::end_of_unit) || at_library_element_closer() || at_misspelt_closer() ||
+        at_foreign_closer())
         return true;
     if (at(TokenKind::kw_end_resource)) // it can stand for END_CONFIGURATION at the very end
         return place == Place::resource ||

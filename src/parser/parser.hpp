@@ -240,11 +240,13 @@ private:
     /// reports it missing. `terminator` goes with the closing word in a fix-it.
     void close_block(std::string_view terminator);
     void report_missing_closer(std::string_view terminator);
+    bool join_missing_closer(const std::string& words);
     [[nodiscard]] bool is_open(TokenKind closer) const noexcept;
     [[nodiscard]] bool closes_outer_block() const noexcept;
     [[nodiscard]] bool at_misspelt_closer() const noexcept;
     [[nodiscard]] bool at_split_word(std::string_view closer) const noexcept;
     [[nodiscard]] bool closes_open_bracket() const noexcept;
+    [[nodiscard]] bool at_foreign_closer();
     [[nodiscard]] bool at_mismatched_closer();
     /// How many more blocks of this kind begin in the unit than are closed.
     [[nodiscard]] std::int32_t& unclosed(TokenKind closer);

@@ -128,17 +128,28 @@ bool Parser::at_split_word(std::string_view closer) const noexcept {
            (names_equal(rest, closer.substr(4)) || names_equal(rest, closer.substr(3)));
 }
 
+/// A closing word of which nothing is open and one too many is there, while the innermost block
+/// lacks its own: that is what it is meant for. For a library element it stands at the very end.
+bool Parser::at_foreign_closer() {
+    if (open_.empty() || !at(closers) || is_open(kind()))
+        return false;
+    const TokenKind innermost = open_.back().closer;
+    return unclosed(kind()) < 0 && unclosed(innermost) > 0 &&
+           (!library_element_closers.contains(innermost) || peek() == TokenKind::end_of_unit);
+}
+
 /// A closing word of another kind that can only be meant to close the innermost block: it closes
 /// nothing else, or stands in the column of this block's opener.
 bool Parser::at_mismatched_closer() {
     if (open_.empty() || !at(closers))
         return false;
+    if (at_foreign_closer())
+        return true;
     const OpenBlock& inner = open_.back();
     if (at(TokenKind::kw_end_resource) && inner.closer == TokenKind::kw_end_configuration)
         return true;
     if (library_element_closers.contains(inner.closer))
-        return library_element_closers.contains(kind()) ||
-               (unclosed(inner.closer) > 0 && peek() == TokenKind::end_of_unit);
+        return library_element_closers.contains(kind());
     if (library_element_closers.contains(kind()))
         return inner.closer == TokenKind::kw_end_var && unclosed(kind()) < 0;
     const auto outer = std::find_if(open_.rbegin(), open_.rend(), [this](const OpenBlock& block) {
@@ -153,25 +164,45 @@ bool Parser::at_mismatched_closer() {
 void Parser::report_missing_closer(std::string_view terminator) {
     const OpenBlock& block = open_.back();
     const std::string closer(spelling(block.closer));
-    // Each block that ends here is reported, the innermost first.
-    std::string gap = "\n";
-    if (reported_at_ == at_ && !diagnostics_.empty()) {
-        const DiagnosticId last = diagnostics_.back().id;
-        if (last == DiagnosticId::missing_closing_word ||
-            last == DiagnosticId::empty_statement_list)
-            reported_at_.reset();
-        if (last == DiagnosticId::empty_statement_list) { // it lacks both, which is one mistake
-            diagnostics_.pop_back();
-            gap = " ; ";
-        }
-    }
     if (at(TokenKind::semicolon))
         terminator = "";
+    if (join_missing_closer(closer + std::string(terminator)))
+        return;
+    std::string gap = "\n";
+    if (reported_at_ == at_ && !diagnostics_.empty() &&
+        diagnostics_.back().id == DiagnosticId::empty_statement_list) {
+        reported_at_.reset();
+        diagnostics_.pop_back(); // it lacks both, which is one mistake
+        gap = " ; ";
+    }
     report_missing(DiagnosticId::missing_closing_word, {closer, std::string(text(block.opener))})
         .label(LabelId::opened_here, block.opener)
         .insert(previous_end(), gap + closer + std::string(terminator));
     --unclosed(block.closer);
     closer_assumed_ = true;
+}
+
+/// When several blocks end in one place, or the text ends in the middle of something that was
+/// reported, it is one mistake: what is missing is added to that report.
+bool Parser::join_missing_closer(const std::string& words) {
+    const bool at_same_place = reported_at_ == at_ || at_end();
+    if (!at_same_place || diagnostics_.empty())
+        return false;
+    Diagnostic& last = diagnostics_.back();
+    const bool of_closer = last.id == DiagnosticId::missing_closing_word;
+    const bool unfinished = at_end() && last.range.end >= previous_end();
+    if (last.id == DiagnosticId::empty_statement_list || (!of_closer && !unfinished) ||
+        last.range.end < previous_end())
+        return false;
+    const OpenBlock& block = open_.back();
+    last.labels.push_back({tokens_[block.opener].range(),
+                           of_closer ? LabelId::opened_here : LabelId::not_closed,
+                           std::string(text(block.opener))});
+    if (!last.fixes.empty() && last.fixes.front().edits.back().range.end == previous_end())
+        last.fixes.front().edits.back().replacement += '\n' + words;
+    --unclosed(block.closer);
+    closer_assumed_ = true;
+    return true;
 }
 
 void Parser::close_block(std::string_view terminator) {

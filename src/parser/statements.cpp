@@ -77,7 +77,7 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
 
 /// True when what follows belongs to something that is open further out, or closes this list.
 bool Parser::at_end_of_statements() {
-    if (at(library_element_closers))
+    if (at(library_element_closers) || at_foreign_closer())
         return true;
     const TokenKind innermost = open_.back().closer;
     if (at(statement_closers) || at(other_closers))

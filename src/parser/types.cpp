@@ -34,8 +34,10 @@ const ast::DataTypeDeclaration* Parser::parse_data_type_declaration() {
     return finish(node);
 }
 
+/// Of an empty block that lacks its closing word as well, only that is said.
 void Parser::report_empty_block(std::uint32_t opener) {
-    report(DiagnosticId::empty_block, tokens_[opener].range(), {std::string(text(opener))});
+    if (at(open_.back().closer))
+        report(DiagnosticId::empty_block, tokens_[opener].range(), {std::string(text(opener))});
 }
 
 /// Passes over what cannot begin a declaration, up to the next one.

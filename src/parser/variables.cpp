@@ -68,7 +68,7 @@ constexpr BlockRow block_rows[] = {
 bool Parser::at_end_of_declarations() {
     if (at(ends_of_declarations))
         return peek() != TokenKind::colon || at(TokenKind::end_of_unit);
-    if (at_misspelt_closer())
+    if (at_misspelt_closer() || at_foreign_closer())
         return true;
     // Statements in a declaration block: its END_VAR is missing.
     return open_.back().closer == TokenKind::kw_end_var && at_statement_start() &&
