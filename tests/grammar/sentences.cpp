@@ -121,7 +121,7 @@ std::size_t SentenceDeriver::share_of(std::size_t size) {
     return random(3) == 0 ? random(size + 1) : size;
 }
 
-/// A way that fits into `size`: the one that was taken least, or any.
+/// A way that fits into `size`: one that was never taken, else the one taken least, or any.
 std::size_t SentenceDeriver::choose(const Expression& alternatives, std::size_t size) {
     std::vector<std::size_t>& taken = ways_[alternatives.number];
     const std::size_t limit = std::max(size, least_size_[alternatives.number]);
@@ -129,10 +129,11 @@ std::size_t SentenceDeriver::choose(const Expression& alternatives, std::size_t 
     for (std::size_t i = 0; i < alternatives.parts.size(); ++i)
         if (least_size_[alternatives.parts[i].number] <= limit)
             fitting.push_back(i);
-    std::size_t way = fitting[random(fitting.size())];
-    if (random(3) == 0)
-        way = *std::min_element(fitting.begin(), fitting.end(),
-                                [&](std::size_t a, std::size_t b) { return taken[a] < taken[b]; });
+    std::size_t way =
+        *std::min_element(fitting.begin(), fitting.end(),
+                          [&](std::size_t a, std::size_t b) { return taken[a] < taken[b]; });
+    if (taken[way] > 0 && random(3) > 0)
+        way = fitting[random(fitting.size())];
     ++taken[way];
     return way;
 }
