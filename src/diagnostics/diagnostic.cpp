@@ -155,11 +155,12 @@ constexpr std::size_t described_edits = 3;
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// `text` in backticks, on one line and short; "white space" when it holds nothing else.
+// `text` in backticks, on one line and short; "a line end" or "white space" when it is just that.
 void append_quoted(std::string& out, std::string_view text, Encoding encoding) {
     const std::string_view words = without_outer_blanks(text);
     if (words.empty()) {
-        out += "white space";
+        const bool line_end = text.find_first_of("\r\n") != std::string_view::npos;
+        out += line_end ? "a line end" : "white space";
         return;
     }
     const std::string_view line = words.substr(0, words.find_first_of("\r\n"));

@@ -19,6 +19,8 @@
 
 namespace iecfront {
 
+struct IlOperatorRow;
+
 /// The recursive-descent parser of one unit. One function parses one production and has it as its
 /// comment; the functions stand in one source file per chapter of Annex B.
 ///
@@ -362,7 +364,7 @@ private:
     const ast::TypeSpecification* parse_result_type();
     void skip_rest_of_head();
     const ast::Body* parse_body();
-    const ast::Body* parse_unexamined_body(ast::BodyLanguage language);
+    const ast::Body* parse_unexamined_body();
     const ast::Body* parse_empty_body();
     [[nodiscard]] ast::BodyLanguage body_language() const noexcept; // body_language.cpp
     enum class LineKind { operation, application, other };
@@ -487,6 +489,72 @@ private:
     const ast::Statement* parse_word_statement();
     void check_not_empty(const ast::StatementList& list, std::string_view where);
 
+    // ---- instruction_list.cpp: B.2
+    /// Where line ends are missing inside one pair of parentheses.
+    struct MissingLineEnds {
+        std::string_view where; // the first of them
+        std::vector<std::uint32_t> offsets;
+    };
+    const ast::InstructionList* parse_instruction_list();
+    /// `where` says what the instructions stand in; not `closed` when nothing closes that.
+    const ast::InstructionList* parse_simple_instruction_list(std::string_view where,
+                                                              bool closed = true);
+    const ast::IlInstruction* parse_il_instruction();
+    const ast::IlInstruction* parse_il_simple_instruction(std::string_view where);
+    const ast::Identifier* parse_optional_label();
+    const ast::IlOperation* parse_il_operation();
+    const ast::IlOperation* parse_il_simple_operation(const IlOperatorRow& row);
+    const ast::IlOperation* parse_il_function();
+    const ast::IlOperation* parse_il_expression(const IlOperatorRow& row);
+    const ast::IlOperation* parse_il_jump_operation(const IlOperatorRow& row);
+    const ast::IlOperation* parse_il_return_operation(const IlOperatorRow& row);
+    const ast::IlOperation* parse_il_fb_call(const IlOperatorRow& row);
+    const ast::IlOperation* parse_il_formal_funct_call();
+    const ast::IlOperation* parse_operands_in_parentheses(const ast::Identifier* name,
+                                                          std::uint32_t open,
+                                                          const ast::Expression* first);
+    const ast::IlOperation* parse_structured_text_in_il();
+    const ast::IlOperation* parse_il_error_operation();
+    const ast::IlOperation* parse_too_deep_operation();
+    const ast::Expression* expect_il_operand(std::string after);
+    const ast::Expression* parse_il_operand();
+    const ast::Expression* parse_next_il_operand();
+    const ast::Expression* report_expression(const ast::Expression* expression);
+    const ast::Expression* parse_il_variable();
+    void add_il_operands(ListBuilder<ast::Expression>& operands);
+    bool accept_il_comma();
+    ast::List<ast::Node> parse_il_arguments(std::uint32_t open, const ast::Expression* first);
+    ast::List<ast::Node> parse_il_param_list(bool function);
+    const ast::Node* parse_il_argument();
+    const ast::Identifier* parse_il_argument_name();
+    const ast::Node* parse_il_output_argument();
+    const ast::Node* parse_il_argument_list();
+    const ast::Identifier* make_identifier_of(std::uint32_t token);
+    [[nodiscard]] const IlOperatorRow* il_operator(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_ampersand_n(std::uint32_t index) const noexcept;
+    void advance_operator() noexcept;
+    [[nodiscard]] bool begins_line(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_line_end() const noexcept;
+    [[nodiscard]] bool at_end_of_instructions() noexcept;
+    [[nodiscard]] bool at_end_of_operands() noexcept;
+    [[nodiscard]] bool at_structured_text() const noexcept;
+    [[nodiscard]] bool at_formal_argument(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool begins_instruction_on_line() const noexcept;
+    [[nodiscard]] bool begins_outer_instruction(bool begun) const noexcept;
+    [[nodiscard]] bool parenthesis_closes(std::uint32_t open) const noexcept;
+    [[nodiscard]] bool parentheses_close_on_line() const noexcept;
+    void expect_line_end();
+    void expect_line_end_in(MissingLineEnds& missing, std::string_view where);
+    void report_line_ends(const MissingLineEnds& missing);
+    void report_line_end();
+    void report_operand_of(const IlOperatorRow& row);
+    void expect_end_of_argument(MissingLineEnds& missing, bool closed);
+    void close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing);
+    void check_il_arguments(const ast::List<ast::Node>& arguments, std::uint32_t open);
+    void check_variable(std::string_view writer, const ast::Expression& operand);
+    void check_il_subscripts(const ast::Expression& variable);
+    void skip_line();
+
     // ---- library.cpp
     const ast::Node* parse_library_element();
     bool accept_split_opener();
@@ -509,7 +577,9 @@ private:
     bool closer_assumed_ = false; // the last closing word was missing, and its `;` with it
     std::optional<std::uint32_t> reported_at_; // token of the last report
     std::optional<std::uint32_t> comma_assumed_at_;
-    Place place_ = Place::library; // whose declarations and body are being read
+    std::uint32_t il_parentheses_ = 0;      // of instructions, that are open
+    std::uint32_t skipped_parentheses_ = 0; // opened in lines of IL that were passed over
+    Place place_ = Place::library;          // whose declarations and body are being read
 
     Arena& arena_;
     const ParseOptions& options_;

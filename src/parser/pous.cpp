@@ -147,10 +147,13 @@ const ast::Body* Parser::parse_body() {
     if (at(library_element_closers) || at_misspelt_closer())
         return parse_empty_body();
     const ast::BodyLanguage language = body_language();
-    if (language == ast::BodyLanguage::sequential_function_chart && place_ == Place::function)
-        report(DiagnosticId::chart_in_function, token().range());
-    if (language != ast::BodyLanguage::structured_text)
-        return parse_unexamined_body(language);
+    if (language == ast::BodyLanguage::instruction_list)
+        return parse_instruction_list();
+    if (language == ast::BodyLanguage::sequential_function_chart) {
+        if (place_ == Place::function)
+            report(DiagnosticId::chart_in_function, token().range());
+        return parse_unexamined_body();
+    }
     return parse_statement_list("in a body");
 }
 
@@ -164,15 +167,13 @@ const ast::Body* Parser::parse_empty_body() {
     return body;
 }
 
-const ast::Body* Parser::parse_unexamined_body(ast::BodyLanguage language) {
+const ast::Body* Parser::parse_unexamined_body() {
     auto* body = make<ast::UnexaminedBody>();
-    body->language = language;
+    body->language = ast::BodyLanguage::sequential_function_chart;
     const std::uint32_t first = at_;
     while (!at(library_element_closers) && !at_misspelt_closer())
         advance();
-    if (language == ast::BodyLanguage::instruction_list)
-        report(DiagnosticId::instruction_list_unexamined, tokens_[first].range());
-    else if (place_ != Place::function) // where it was reported that there is a chart
+    if (place_ != Place::function) // where it was reported that there is a chart
         report(DiagnosticId::chart_unexamined, tokens_[first].range());
     return finish(body);
 }

@@ -20,7 +20,8 @@ TEST_P(Programs, KeepTheInvariants) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Programs, testing::ValuesIn(repository_files({"examples"}, {".st"})),
+INSTANTIATE_TEST_SUITE_P(All, Programs,
+                         testing::ValuesIn(repository_files({"examples"}, {".st", ".il"})),
                          [](const auto& one) { return test_name(one.param); });
 
 } // namespace

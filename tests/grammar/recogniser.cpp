@@ -243,8 +243,18 @@ private:
         }
         const bool outside = by_line_;
         by_line_ = by_line_ || production.by_line();
-        match_production(name.production, by_line_ ? 1 : 0, at, ends);
+        if (production.name == "il_function_name")
+            match_il_function_name(name.production, at, ends);
+        else
+            match_production(name.production, by_line_ ? 1 : 0, at, ends);
         by_line_ = outside;
+    }
+
+    /// An operator of B.2.2 is none.
+    void match_il_function_name(std::size_t production, Position at, Positions& ends) {
+        if (at < size_ && lexical_.words().il_operators.contains(symbols_[at].upper))
+            return;
+        match_production(production, 1, at, ends);
     }
 
     /// Tries the token at `at`, and what it makes with the one that adjoins it: a sign and its

@@ -62,6 +62,7 @@ public:
         : grammar_(grammar), words_(words) {}
 
     [[nodiscard]] bool derives(std::size_t production, std::string_view text) const;
+    [[nodiscard]] const Words& words() const { return words_; }
 
 private:
     const Grammar& grammar_;

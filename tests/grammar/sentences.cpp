@@ -203,6 +203,8 @@ void SentenceDeriver::derive_name(const Expression& name, std::size_t size) {
     const bool outside = std::exchange(by_line_, by_line_ || production.by_line());
     if (production.name == "function_body" || production.name == "function_block_body")
         derive_body(production.body, size);
+    else if (production.name == "il_function_name")
+        derive_il_function_name(production.body, size);
     else
         derive_tokens(production.body, size);
     by_line_ = outside;
@@ -211,7 +213,25 @@ void SentenceDeriver::derive_name(const Expression& name, std::size_t size) {
 void SentenceDeriver::derive_body(const Expression& languages, std::size_t size) {
     const Expression& language = languages.parts[choose(languages, size)];
     sentence_.bodies.push_back(language.text);
+    if (language.text == "instruction_list") // in the line of a head not each can be told
+        sentence_.text += '\n';
     derive_tokens(language, size);
+}
+
+/// A name that is no operator of B.2.2.
+void SentenceDeriver::derive_il_function_name(const Expression& name, std::size_t size) {
+    const std::string before = sentence_.text;
+    const std::size_t tokens = tokens_;
+    std::string word;
+    do {
+        sentence_.text = before;
+        tokens_ = tokens;
+        derive_tokens(name, size);
+        const std::string& text = sentence_.text;
+        const auto begin = std::find_if_not(text.rbegin(), text.rend(), is_word_character);
+        word =
+            upper_case(text.substr(text.size() - static_cast<std::size_t>(begin - text.rbegin())));
+    } while (words_.il_operators.contains(word));
 }
 
 /// Puts a token behind the others, with or without something in between.

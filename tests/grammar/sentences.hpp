@@ -39,6 +39,7 @@ private:
     void derive_tokens(const Expression& expression, std::size_t size);
     void derive_name(const Expression& name, std::size_t size);
     void derive_body(const Expression& languages, std::size_t size);
+    void derive_il_function_name(const Expression& name, std::size_t size);
     [[nodiscard]] std::string lexical_text(std::size_t production);
     void derive_characters(const Expression& expression, std::string& text, std::size_t size);
     void derive_identifier(std::size_t production, std::string& text);

@@ -31,7 +31,9 @@ Words::Words(const Grammar& grammar, std::string_view document) {
     for (const Production& production : grammar.productions) {
         if (names_standard_elements(production))
             add_words(production, standard_names);
-        else if (!production.lexical() && !production.heading.starts_with("B.2.2"))
+        else if (production.heading.starts_with("B.2.2"))
+            add_words(production, il_operators);
+        else if (!production.lexical())
             add_words(production, keywords);
     }
     for (const Production& production : read_grammar(document, "ebnf-unreachable").productions)

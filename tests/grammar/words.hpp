@@ -12,6 +12,7 @@ namespace iecfront::test {
 struct Words {
     std::set<std::string> keywords;
     std::set<std::string> standard_names; ///< terminals that name functions and function blocks
+    std::set<std::string> il_operators;   ///< of B.2.2; no `il_function_name`
 
     /// `document` is the text that `grammar` was read from.
     Words(const Grammar& grammar, std::string_view document);

@@ -133,6 +133,7 @@ constexpr std::array optional_members = {
     OptionalMember{NodeKind::program_configuration, "task"},
     OptionalMember{NodeKind::il_instruction, "label"},
     OptionalMember{NodeKind::il_instruction, "operation"},
+    OptionalMember{NodeKind::il_simple_operation, "function_name"},
     OptionalMember{NodeKind::il_expression, "operand"},
 };
 

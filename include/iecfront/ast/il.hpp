@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iecfront/ast/node.hpp>
+#include <iecfront/export.hpp>
 
 #include <cstdint>
 #include <string_view>
@@ -10,6 +11,55 @@
 namespace iecfront::ast {
 
 struct IlInstruction;
+
+/// The operators of Table 52 and the input operators of Table 54, without their modifiers.
+enum class IlOperator : std::uint8_t {
+    none, ///< the name of a function stands in the operator field
+    load,
+    store,
+    set,
+    reset,
+    logical_and, ///< `AND` or `&`; the token says which
+    logical_or,
+    exclusive_or,
+    logical_not,
+    add,
+    subtract,
+    multiply,
+    divide,
+    modulo,
+    greater,
+    greater_equal,
+    equal,
+    not_equal,
+    less_equal,
+    less,
+    jump,
+    call,
+    return_,
+    s1,
+    r1,
+    clk,
+    cu,
+    cd,
+    pv,
+    in,
+    pt,
+};
+
+/// The operator as the standard spells it: `LD`, `AND`, `CLK`; `none` for none.
+[[nodiscard]] IECFRONT_API std::string_view to_string(IlOperator op) noexcept;
+
+/// What is joined to an operator (Table 52). Of the modifier `(` the kind of node tells.
+enum class IlModifier : std::uint8_t {
+    none,
+    negated,             ///< `N`: of the operand, or of the value that is stored
+    conditional,         ///< `C`: when the current result is TRUE
+    conditional_negated, ///< `CN`: when the current result is FALSE
+};
+
+/// `N`, `C` or `CN`; `none` for none.
+[[nodiscard]] IECFRONT_API std::string_view to_string(IlModifier modifier) noexcept;
 
 /// The lines of an IL body, or of what stands in parentheses (B.2.1).
 struct InstructionList : Body {
@@ -35,51 +85,65 @@ struct IlInstruction : Node {
     }
 };
 
-/// `LD x`, `ADD 1`, `NOT`; or a function with operands, `LIMIT a, b` (B.2.1). The first token is
-/// the operator.
+/// `LD x`, `ADD 1`, `NOT`; or a function with operands, `LIMIT a, b` (B.2.1). AND, ADD and the like
+/// with several operands are functions.
 struct IlSimpleOperation : IlOperation {
     static constexpr NodeKind node_kind = NodeKind::il_simple_operation;
     IlSimpleOperation() noexcept : IlOperation(node_kind) {}
+    IlOperator op = IlOperator::none; ///< none for a function
+    IlModifier modifier = IlModifier::none;
+    const Identifier* function_name = nullptr; ///< null for an operator
     List<Expression> operands;
 
     static constexpr auto members() {
-        return std::tuple{MemberDescription{"operands", &IlSimpleOperation::operands}};
+        return std::tuple{MemberDescription{"op", &IlSimpleOperation::op},
+                          MemberDescription{"modifier", &IlSimpleOperation::modifier},
+                          MemberDescription{"function_name", &IlSimpleOperation::function_name},
+                          MemberDescription{"operands", &IlSimpleOperation::operands}};
     }
 };
 
-/// `ADD( x` ... `)` (B.2.1). The first token is the operator.
+/// `ADD( x` ... `)` (B.2.1): the operation waits for the result of the instructions.
 struct IlExpression : IlOperation {
     static constexpr NodeKind node_kind = NodeKind::il_expression;
     IlExpression() noexcept : IlOperation(node_kind) {}
-    const Expression* operand = nullptr; ///< null when not given
-    const InstructionList* instructions = nullptr;
+    IlOperator op = IlOperator::none;
+    IlModifier modifier = IlModifier::none;
+    const Expression* operand = nullptr;           ///< null when not given
+    const InstructionList* instructions = nullptr; ///< empty when there are none
 
     static constexpr auto members() {
-        return std::tuple{MemberDescription{"operand", &IlExpression::operand},
+        return std::tuple{MemberDescription{"op", &IlExpression::op},
+                          MemberDescription{"modifier", &IlExpression::modifier},
+                          MemberDescription{"operand", &IlExpression::operand},
                           MemberDescription{"instructions", &IlExpression::instructions}};
     }
 };
 
-/// `JMP label`, `JMPC label`, `JMPCN label` (B.2.1). The first token is the operator.
+/// `JMP label`, `JMPC label`, `JMPCN label` (B.2.1).
 struct IlJumpOperation : IlOperation {
     static constexpr NodeKind node_kind = NodeKind::il_jump_operation;
     IlJumpOperation() noexcept : IlOperation(node_kind) {}
+    IlModifier modifier = IlModifier::none;
     const Identifier* label = nullptr;
 
     static constexpr auto members() {
-        return std::tuple{MemberDescription{"label", &IlJumpOperation::label}};
+        return std::tuple{MemberDescription{"modifier", &IlJumpOperation::modifier},
+                          MemberDescription{"label", &IlJumpOperation::label}};
     }
 };
 
-/// `CAL instance(...)`, also CALC and CALCN (B.2.1). The first token is the operator.
+/// `CAL instance(...)`, `CALC instance(...)`, `CALCN instance(...)` (B.2.1).
 struct IlFbCall : IlOperation {
     static constexpr NodeKind node_kind = NodeKind::il_fb_call;
     IlFbCall() noexcept : IlOperation(node_kind) {}
-    const Expression* fb_name = nullptr;
-    List<Node> arguments; ///< `InputArgument` or `OutputArgument`
+    IlModifier modifier = IlModifier::none;
+    const Expression* fb_name = nullptr; ///< `VariableName`; anything else is an extension
+    List<Node> arguments;                ///< `InputArgument` or `OutputArgument`
 
     static constexpr auto members() {
-        return std::tuple{MemberDescription{"fb_name", &IlFbCall::fb_name},
+        return std::tuple{MemberDescription{"modifier", &IlFbCall::modifier},
+                          MemberDescription{"fb_name", &IlFbCall::fb_name},
                           MemberDescription{"arguments", &IlFbCall::arguments}};
     }
 };
@@ -97,12 +161,15 @@ struct IlFormalFunctCall : IlOperation {
     }
 };
 
-/// `RET`, `RETC`, `RETCN` (B.2.1): the first token says which.
+/// `RET`, `RETC`, `RETCN` (B.2.1).
 struct IlReturnOperation : IlOperation {
     static constexpr NodeKind node_kind = NodeKind::il_return_operation;
     IlReturnOperation() noexcept : IlOperation(node_kind) {}
+    IlModifier modifier = IlModifier::none;
 
-    static constexpr auto members() { return std::tuple{}; }
+    static constexpr auto members() {
+        return std::tuple{MemberDescription{"modifier", &IlReturnOperation::modifier}};
+    }
 };
 
 /// Stands for an operation that cannot be read.

@@ -1,0 +1,981 @@
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/name.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace iecfront {
+
+/// An operator of B.2.2.
+struct IlOperatorRow {
+    std::string_view spelling;
+    ast::IlOperator op;
+    ast::IlModifier modifier = ast::IlModifier::none;
+};
+
+namespace {
+
+using ast::IlModifier;
+using ast::IlOperator;
+
+constexpr std::array<IlOperatorRow, 47> il_operators{{
+    {"LD", IlOperator::load},
+    {"LDN", IlOperator::load, IlModifier::negated},
+    {"ST", IlOperator::store},
+    {"STN", IlOperator::store, IlModifier::negated},
+    {"S", IlOperator::set},
+    {"R", IlOperator::reset},
+    {"AND", IlOperator::logical_and},
+    {"&", IlOperator::logical_and},
+    {"ANDN", IlOperator::logical_and, IlModifier::negated},
+    {"&N", IlOperator::logical_and, IlModifier::negated},
+    {"OR", IlOperator::logical_or},
+    {"ORN", IlOperator::logical_or, IlModifier::negated},
+    {"XOR", IlOperator::exclusive_or},
+    {"XORN", IlOperator::exclusive_or, IlModifier::negated},
+    {"NOT", IlOperator::logical_not},
+    {"ADD", IlOperator::add},
+    {"SUB", IlOperator::subtract},
+    {"MUL", IlOperator::multiply},
+    {"DIV", IlOperator::divide},
+    {"MOD", IlOperator::modulo},
+    {"GT", IlOperator::greater},
+    {"GE", IlOperator::greater_equal},
+    {"EQ", IlOperator::equal},
+    {"NE", IlOperator::not_equal},
+    {"LE", IlOperator::less_equal},
+    {"LT", IlOperator::less},
+    {"JMP", IlOperator::jump},
+    {"JMPC", IlOperator::jump, IlModifier::conditional},
+    {"JMPCN", IlOperator::jump, IlModifier::conditional_negated},
+    {"CAL", IlOperator::call},
+    {"CALC", IlOperator::call, IlModifier::conditional},
+    {"CALCN", IlOperator::call, IlModifier::conditional_negated},
+    {"RET", IlOperator::return_},
+    {"RETC", IlOperator::return_, IlModifier::conditional},
+    {"RETCN", IlOperator::return_, IlModifier::conditional_negated},
+    {"S1", IlOperator::s1},
+    {"R1", IlOperator::r1},
+    {"CLK", IlOperator::clk},
+    {"CU", IlOperator::cu},
+    {"CD", IlOperator::cd},
+    {"PV", IlOperator::pv},
+    {"IN", IlOperator::in},
+    {"PT", IlOperator::pt},
+}};
+
+/// il_expr_operator: what can wait for the result of instructions in parentheses.
+constexpr bool is_expression_operator(IlOperator op) noexcept {
+    return op >= IlOperator::logical_and && op <= IlOperator::less && op != IlOperator::logical_not;
+}
+
+/// True for `AND` and the like, which with several operands are functions (A24).
+constexpr bool is_function_name(const IlOperatorRow& row) noexcept {
+    return is_expression_operator(row.op) && row.modifier == IlModifier::none &&
+           row.spelling != "&";
+}
+
+/// The operator writes to its operand, or to an input of it.
+constexpr bool needs_variable(IlOperator op) noexcept {
+    return op == IlOperator::store || op == IlOperator::set || op == IlOperator::reset ||
+           op >= IlOperator::s1;
+}
+
+constexpr TokenSet operator_tokens{TokenKind::identifier, TokenKind::kw_and, TokenKind::kw_or,
+                                   TokenKind::kw_xor,     TokenKind::kw_mod, TokenKind::kw_not,
+                                   TokenKind::ampersand};
+
+constexpr TokenSet library_element_closers{
+    TokenKind::kw_end_type,    TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
+    TokenKind::kw_end_program, TokenKind::kw_end_configuration, TokenKind::end_of_unit};
+
+constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
+                                 TokenKind::kw_end_action};
+
+constexpr TokenSet chart_words{TokenKind::kw_initial_step, TokenKind::kw_step,
+                               TokenKind::kw_transition, TokenKind::kw_action};
+
+constexpr TokenSet block_statements{TokenKind::kw_if, TokenKind::kw_case, TokenKind::kw_for,
+                                    TokenKind::kw_while, TokenKind::kw_repeat};
+
+constexpr TokenSet statement_closers{TokenKind::kw_end_if, TokenKind::kw_end_case,
+                                     TokenKind::kw_end_for, TokenKind::kw_end_while,
+                                     TokenKind::kw_end_repeat};
+
+constexpr TokenSet statement_words =
+    block_statements | TokenSet{TokenKind::kw_return, TokenKind::kw_exit};
+
+constexpr TokenSet declaration_words = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
+
+constexpr TokenSet execution_control{TokenKind::kw_en, TokenKind::kw_eno};
+
+} // namespace
+
+// ---- lines --------------------------------------------------------------------------------------
+
+/// True when the token is the first on its line, but for some that could not be read.
+bool Parser::begins_line(std::uint32_t index) const noexcept {
+    while (!tokens_[index].first_on_line() && index > 0 &&
+           tokens_[index - 1].kind() == TokenKind::unknown)
+        --index;
+    return tokens_[index].first_on_line();
+}
+
+/// Behind a part of an instruction: EOL.
+bool Parser::at_line_end() const noexcept {
+    return at_end() || begins_line(at_);
+}
+
+/// Passes over the rest of the line. A `)` that closes what is open further out is left there.
+void Parser::skip_line() {
+    std::uint32_t depth = 0;
+    do {
+        if (at(TokenKind::left_parenthesis))
+            ++depth;
+        else if (at(TokenKind::right_parenthesis) && depth > 0)
+            --depth;
+        else if (at(TokenKind::right_parenthesis) && il_parentheses_ > 0)
+            break;
+        advance();
+    } while (!at_line_end() && !at_end_of_instructions());
+    skipped_parentheses_ += depth;
+}
+
+/// An instruction ends with its line.
+void Parser::expect_line_end() {
+    if (at(TokenKind::semicolon) && !at_line_end()) {
+        report_at(at_, DiagnosticId::semicolon_in_instruction_list).remove(token().range());
+        advance();
+    }
+    const bool closes = at(TokenKind::right_parenthesis) && il_parentheses_ > 0;
+    if (at_line_end() || closes)
+        return;
+    if (at_end_of_instructions() || begins_instruction_on_line()) {
+        report_missing(DiagnosticId::missing_line_end, {quoted(at_)}).insert(previous_end(), "\n");
+        return;
+    }
+    report_unexpected("the end of the line");
+    skip_line();
+}
+
+/// True when another instruction begins inside a line.
+bool Parser::begins_instruction_on_line() const noexcept {
+    if (at(TokenKind::identifier) && peek() == TokenKind::colon)
+        return true;
+    const IlOperatorRow* row = il_operator(at_);
+    if (row == nullptr)
+        return false;
+    const bool alone = begins_line(next(at_)) || peek() == TokenKind::end_of_unit;
+    if (row->op == IlOperator::return_ || row->op == IlOperator::logical_not)
+        return alone;
+    static constexpr TokenSet others{TokenKind::plus, TokenKind::minus,
+                                     TokenKind::left_parenthesis};
+    return !alone && (begins_operand(peek()) || others.contains(peek()));
+}
+
+/// Behind `(` or `,` and before `)`: where line ends are missing inside one pair of parentheses.
+void Parser::expect_line_end_in(MissingLineEnds& missing, std::string_view where) {
+    if (at_line_end())
+        return;
+    if (missing.offsets.empty())
+        missing.where = where;
+    else if (missing.offsets.back() == previous_end())
+        return;
+    missing.offsets.push_back(previous_end());
+}
+
+/// One report for all of them.
+void Parser::report_line_ends(const MissingLineEnds& missing) {
+    if (missing.offsets.empty())
+        return;
+    const std::uint32_t first = missing.offsets.front();
+    const Report one = report(DiagnosticId::parentheses_without_line_end, {first, first},
+                              {std::string(missing.where)});
+    DiagnosticFix fix;
+    for (const std::uint32_t offset : missing.offsets)
+        fix.edits.push_back({{offset, offset}, "\n"});
+    diagnostics_[one.index()].fixes.push_back(std::move(fix));
+}
+
+// ---- instructions -------------------------------------------------------------------------------
+
+/// True when what follows belongs to something that is open further out.
+bool Parser::at_end_of_instructions() noexcept {
+    if (at(library_element_closers))
+        return true;
+    if (at(chart_closers) || at(chart_words))
+        return is_open(TokenKind::kw_end_action) || is_open(TokenKind::kw_end_transition);
+    return at(TokenKind::identifier) && begins_line(at_) && at_misspelt_closer() &&
+           unclosed(open_.back().closer) > 0;
+}
+
+// instruction_list = il_instruction { il_instruction } ;
+const ast::InstructionList* Parser::parse_instruction_list() {
+    auto* list = make<ast::InstructionList>();
+    ListBuilder<ast::IlInstruction> instructions(*this);
+    while (!at_end_of_instructions())
+        add_in_loop(instructions, [this] { return parse_il_instruction(); });
+    list->instructions = instructions.finish();
+    return finish(list);
+}
+
+// il_instruction = [ label ":" ]
+//                  [ il_simple_operation | il_expression | il_jump_operation
+//                  | il_fb_call | il_formal_funct_call | il_return_operator ]
+//                  EOL { EOL } ;
+const ast::IlInstruction* Parser::parse_il_instruction() {
+    auto* node = make<ast::IlInstruction>();
+    node->label = parse_optional_label();
+    if (node->label == nullptr || (!at_line_end() && !at_end_of_instructions()))
+        node->operation = parse_il_operation();
+    expect_line_end();
+    return finish(node);
+}
+
+/// label ":"
+const ast::Identifier* Parser::parse_optional_label() {
+    if (peek() != TokenKind::colon || begins_line(next(at_)))
+        return nullptr;
+    if (!at(TokenKind::identifier) && !is_keyword(kind()) && !at_literal())
+        return nullptr;
+    const ast::Identifier* label = nullptr;
+    if (at(TokenKind::identifier)) {
+        label = make_identifier();
+    } else if (is_keyword(kind())) {
+        report_reserved_word(at_);
+        label = make_identifier();
+    } else {
+        label = make_missing_identifier("the name of a label");
+        advance();
+    }
+    accept(TokenKind::colon);
+    return label;
+}
+
+// simple_instr_list = il_simple_instruction { il_simple_instruction } ;
+const ast::InstructionList* Parser::parse_simple_instruction_list(std::string_view where,
+                                                                  bool closed) {
+    auto* list = make<ast::InstructionList>();
+    ListBuilder<ast::IlInstruction> instructions(*this);
+    const bool begun = !at_line_end(); // with the operand before the first line
+    while (!at(TokenKind::right_parenthesis) && !at_end_of_instructions() &&
+           (closed || !begins_outer_instruction(begun || !instructions.empty())))
+        add_in_loop(instructions, [&] { return parse_il_simple_instruction(where); });
+    list->instructions = instructions.finish();
+    return finish(list);
+}
+
+// il_simple_instruction = ( il_simple_operation | il_expression | il_formal_funct_call )
+//                         EOL { EOL } ;
+const ast::IlInstruction* Parser::parse_il_simple_instruction(std::string_view where) {
+    const std::uint32_t first = at_;
+    const std::size_t reports = diagnostics_.size();
+    const ast::IlInstruction* instruction = parse_il_instruction();
+    if (diagnostics_.size() != reports)
+        return instruction;
+    if (instruction->label != nullptr) {
+        report_at(first, DiagnosticId::not_a_simple_instruction, {"a label", std::string(where)});
+        return instruction;
+    }
+    switch (instruction->operation->kind) {
+    case ast::NodeKind::il_jump_operation:
+    case ast::NodeKind::il_fb_call:
+    case ast::NodeKind::il_return_operation:
+        report_at(first, DiagnosticId::not_a_simple_instruction,
+                  {quoted(first), std::string(where)});
+        break;
+    default: break;
+    }
+    return instruction;
+}
+
+/// In parentheses that nothing closes: true when the line stores, jumps, calls or loads anew, and
+/// so very probably stands behind them.
+bool Parser::begins_outer_instruction(bool begun) const noexcept {
+    if (at(TokenKind::identifier) && peek() == TokenKind::colon)
+        return true;
+    const IlOperatorRow* row = il_operator(at_);
+    return row != nullptr &&
+           (needs_variable(row->op) || row->op == IlOperator::jump || row->op == IlOperator::call ||
+            row->op == IlOperator::return_ || (row->op == IlOperator::load && begun));
+}
+
+// ---- operations ---------------------------------------------------------------------------------
+
+/// The operator at token `index`, or null. `&N` is two tokens.
+const IlOperatorRow* Parser::il_operator(std::uint32_t index) const noexcept {
+    if (!operator_tokens.contains(tokens_[index].kind()))
+        return nullptr;
+    std::string_view word = text(index);
+    if (at_ampersand_n(index))
+        word = "&N";
+    const auto* row =
+        std::find_if(il_operators.begin(), il_operators.end(),
+                     [word](const IlOperatorRow& one) { return names_equal(one.spelling, word); });
+    return row == il_operators.end() ? nullptr : row;
+}
+
+/// True when `&` and `N` adjoin, and more stands behind them: alone, N is the operand of `&`.
+bool Parser::at_ampersand_n(std::uint32_t index) const noexcept {
+    const std::uint32_t second = index + 1;
+    return tokens_[index].kind() == TokenKind::ampersand &&
+           tokens_[second].offset() == tokens_[index].end() &&
+           tokens_[second].kind() == TokenKind::identifier && names_equal(text(second), "N") &&
+           !begins_line(next(second)) && tokens_[next(second)].kind() != TokenKind::end_of_unit;
+}
+
+void Parser::advance_operator() noexcept {
+    if (at_ampersand_n(at_))
+        advance();
+    advance();
+}
+
+const ast::IlOperation* Parser::parse_il_operation() {
+    if (at_structured_text())
+        return parse_structured_text_in_il();
+    const bool parenthesis = peek() == TokenKind::left_parenthesis && !begins_line(next(at_));
+    if (const IlOperatorRow* row = il_operator(at_)) {
+        const std::uint32_t second = at_ampersand_n(at_) ? next(next(at_)) : next(at_);
+        const bool deferred = tokens_[second].kind() == TokenKind::left_parenthesis &&
+                              !begins_line(second) && is_expression_operator(row->op);
+        switch (row->op) {
+        case IlOperator::jump: return parse_il_jump_operation(*row);
+        case IlOperator::call: return parse_il_fb_call(*row);
+        case IlOperator::return_: return parse_il_return_operation(*row);
+        default: break;
+        }
+        if (deferred && is_function_name(*row) && at_formal_argument(next(second)))
+            return parse_il_formal_funct_call();
+        return deferred ? parse_il_expression(*row) : parse_il_simple_operation(*row);
+    }
+    if (at(TokenKind::identifier))
+        return parenthesis ? parse_il_formal_funct_call() : parse_il_function();
+    return parse_il_error_operation();
+}
+
+/// A statement of ST: a variable and `:=`, or a word that begins one.
+bool Parser::at_structured_text() const noexcept {
+    static constexpr TokenSet after_variable{TokenKind::assign, TokenKind::equal, TokenKind::dot,
+                                             TokenKind::left_bracket};
+    const bool variable =
+        at(TokenKind::identifier) || at(TokenKind::direct_variable) || at(execution_control);
+    return at(statement_words) ||
+           (variable && after_variable.contains(peek()) && !begins_line(next(at_)));
+}
+
+/// One report for a whole statement, and none for what stands in it.
+const ast::IlOperation* Parser::parse_structured_text_in_il() {
+    auto* error = make<ast::IlErrorOperation>();
+    report_at(at_, DiagnosticId::statement_in_instruction_list);
+    std::uint32_t blocks = 0;
+    std::uint32_t parentheses = 0;
+    do {
+        blocks += at(block_statements) ? 1 : 0;
+        blocks -= at(statement_closers) && blocks > 0 ? 1 : 0;
+        if (at(TokenKind::left_parenthesis) && argument_list_closes(next(at_)))
+            ++parentheses;
+        else if (at(TokenKind::right_parenthesis) && parentheses > 0)
+            --parentheses;
+        advance();
+    } while ((blocks > 0 || parentheses > 0 || !at_line_end()) && !at_end_of_instructions());
+    return finish(error);
+}
+
+const ast::IlOperation* Parser::parse_il_error_operation() {
+    auto* error = make<ast::IlErrorOperation>();
+    if (at(declaration_words)) {
+        report_at(at_, DiagnosticId::declaration_after_body);
+        parse_variable_declarations(place_);
+        return finish(error);
+    }
+    if (at(TokenKind::semicolon)) {
+        report_at(at_, DiagnosticId::semicolon_in_instruction_list).remove(token().range());
+        advance();
+        return finish(error);
+    }
+    if (!at(TokenKind::right_parenthesis)) {
+        report_at(at_, DiagnosticId::not_an_instruction, {quoted(at_)});
+        skip_line();
+        return finish(error);
+    }
+    if (skipped_parentheses_ > 0) // its opening one stands in a line that was reported
+        --skipped_parentheses_;
+    else
+        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
+            .remove(token().range());
+    advance();
+    return finish(error);
+}
+
+// il_simple_operation = il_simple_operator il_operand | il_store_operator il_variable | "NOT"
+//                     | il_function_name [ il_operand_list ]
+//                     | il_expr_function il_operand "," il_operand_list ;
+const ast::IlOperation* Parser::parse_il_simple_operation(const IlOperatorRow& row) {
+    auto* node = make<ast::IlSimpleOperation>();
+    node->op = row.op;
+    node->modifier = row.modifier;
+    const std::uint32_t word = at_;
+    advance_operator();
+    if (row.op == IlOperator::logical_not) {
+        report_operand_of(row);
+        return finish(node);
+    }
+    const std::size_t reports = diagnostics_.size();
+    ListBuilder<ast::Expression> operands(*this);
+    const ast::Expression* operand = expect_il_operand(quoted(word));
+    operands.add(operand);
+    const bool several = at(TokenKind::comma) && !at_line_end();
+    if (several && is_function_name(row)) {
+        node->op = IlOperator::none;
+        node->function_name = make_identifier_of(word);
+    } else if (several) {
+        report_at(at_, DiagnosticId::too_many_operands, {std::string(row.spelling)});
+    } else if (needs_variable(row.op) && diagnostics_.size() == reports) {
+        check_variable(row.spelling, *operand);
+    }
+    if (several)
+        add_il_operands(operands);
+    node->operands = operands.finish();
+    return finish(node);
+}
+
+/// il_function_name [ il_operand_list ]
+const ast::IlOperation* Parser::parse_il_function() {
+    auto* node = make<ast::IlSimpleOperation>();
+    node->function_name = make_identifier();
+    ListBuilder<ast::Expression> operands(*this);
+    if (!at_end_of_operands()) {
+        operands.add(parse_il_operand());
+        add_il_operands(operands);
+    }
+    node->operands = operands.finish();
+    return finish(node);
+}
+
+const ast::Identifier* Parser::make_identifier_of(std::uint32_t token) {
+    auto* name = make<ast::Identifier>();
+    name->hash = hash_name(text(token));
+    name->first_token = token;
+    name->end_token = token + 1;
+    return name;
+}
+
+/// Behind NOT and RET, which have no operand.
+void Parser::report_operand_of(const IlOperatorRow& row) {
+    if (at_end_of_operands() || begins_instruction_on_line())
+        return;
+    const std::uint32_t first = at_;
+    Report operand =
+        report_at(first, DiagnosticId::unexpected_operand, {std::string(row.spelling)});
+    skip_line();
+    operand.remove(token_range(first, end_));
+}
+
+/// The operand of ST, of the input operators and of `=>` is written to.
+void Parser::check_variable(std::string_view writer, const ast::Expression& operand) {
+    if (ast::is<ast::Constant>(operand.kind) || operand.kind == ast::NodeKind::enumerated_value)
+        report_node(operand, DiagnosticId::operand_is_no_variable,
+                    {std::string(writer), "a constant"});
+}
+
+// il_jump_operation = il_jump_operator label ;
+const ast::IlOperation* Parser::parse_il_jump_operation(const IlOperatorRow& row) {
+    auto* node = make<ast::IlJumpOperation>();
+    node->modifier = row.modifier;
+    const std::uint32_t word = advance();
+    if (at_end_of_operands()) {
+        report_missing(DiagnosticId::missing_operand, {quoted(word)});
+        node->label = make_missing<ast::Identifier>();
+    } else {
+        node->label = parse_name("the name of a label");
+    }
+    return finish(node);
+}
+
+/// il_return_operator
+const ast::IlOperation* Parser::parse_il_return_operation(const IlOperatorRow& row) {
+    auto* node = make<ast::IlReturnOperation>();
+    node->modifier = row.modifier;
+    advance();
+    finish(node);
+    report_operand_of(row);
+    return finish(node);
+}
+
+// ---- parentheses --------------------------------------------------------------------------------
+
+/// True when the parenthesis at token `open` is closed before the body ends.
+bool Parser::parenthesis_closes(std::uint32_t open) const noexcept {
+    constexpr std::uint32_t furthest = 1000; // bounds the time that a run of parentheses takes
+    std::uint32_t depth = 0;
+    std::uint32_t i = open;
+    for (std::uint32_t steps = 0; steps < furthest; i = next(i), ++steps) {
+        const TokenKind kind = tokens_[i].kind();
+        if (library_element_closers.contains(kind) || chart_closers.contains(kind))
+            return false;
+        if (kind == TokenKind::left_parenthesis)
+            ++depth;
+        else if (kind == TokenKind::right_parenthesis && --depth == 0)
+            return true;
+    }
+    return true;
+}
+
+void Parser::close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing) {
+    if (at(TokenKind::right_parenthesis)) {
+        expect_line_end_in(missing, "before `)`");
+        advance();
+    } else {
+        report_missing(DiagnosticId::missing_token, {"`)`"})
+            .label(LabelId::opened_here, open)
+            .insert(previous_end(), "\n)");
+    }
+    report_line_ends(missing);
+}
+
+// il_expression = il_expr_operator "(" [ il_operand ] EOL { EOL }
+//                 [ simple_instr_list ] ")" ;
+const ast::IlOperation* Parser::parse_il_expression(const IlOperatorRow& row) {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_operation();
+    auto* node = make<ast::IlExpression>();
+    node->op = row.op;
+    node->modifier = row.modifier;
+    const std::uint32_t word = at_;
+    advance_operator();
+    const std::uint32_t open = advance();
+    const bool closed = parenthesis_closes(open);
+    MissingLineEnds missing;
+    ++il_parentheses_;
+    if (!at_line_end() && begins_instruction_on_line()) {
+        expect_line_end_in(missing, "after `(`");
+    } else if (!at_line_end() && !at(TokenKind::right_parenthesis)) {
+        node->operand = expect_il_operand("`(`");
+        if (at(TokenKind::comma) && !at_line_end() && is_function_name(row)) {
+            --il_parentheses_;
+            return parse_operands_in_parentheses(make_identifier_of(word), open, node->operand);
+        }
+        expect_line_end();
+    }
+    node->instructions = parse_simple_instruction_list("parentheses", closed);
+    --il_parentheses_;
+    close_il_parenthesis(open, missing);
+    return finish(node);
+}
+
+/// Passes over an operation that is nested too deep, up to its closing parenthesis.
+const ast::IlOperation* Parser::parse_too_deep_operation() {
+    auto* error = make<ast::IlErrorOperation>();
+    std::uint32_t depth = 0;
+    do {
+        depth += at(TokenKind::left_parenthesis) ? 1 : 0;
+        depth -= at(TokenKind::right_parenthesis) && depth > 0 ? 1 : 0;
+        advance();
+    } while ((depth > 0 || !at_line_end()) && !at_end_of_instructions() &&
+             (depth > 0 || !at(TokenKind::right_parenthesis)));
+    return finish(error);
+}
+
+// il_formal_funct_call = ( il_function_name | il_expr_function )
+//                        "(" EOL { EOL } [ il_param_list ] ")" ;
+const ast::IlOperation* Parser::parse_il_formal_funct_call() {
+    const std::uint32_t word = advance();
+    const std::uint32_t open = at_;
+    const bool formal = begins_line(next(at_)) || peek() == TokenKind::right_parenthesis ||
+                        at_formal_argument(next(at_));
+    const ast::Identifier* name = make_identifier_of(word);
+    if (!formal) {
+        advance();
+        return parse_operands_in_parentheses(name, open, nullptr);
+    }
+    auto* node = make_from<ast::IlFormalFunctCall>(name);
+    node->function_name = name;
+    node->arguments = parse_il_param_list(true);
+    return finish(node);
+}
+
+/// `LIMIT(1, x, 5)`, which the standard does not have, from behind the parenthesis, or from behind
+/// the first operand.
+const ast::IlOperation* Parser::parse_operands_in_parentheses(const ast::Identifier* name,
+                                                              std::uint32_t open,
+                                                              const ast::Expression* first) {
+    auto* node = make_from<ast::IlFormalFunctCall>(name);
+    node->function_name = name;
+    const std::size_t reports = diagnostics_.size();
+    node->arguments = parse_il_arguments(open, first);
+    finish(node);
+    if (diagnostics_.size() == reports)
+        report_node(*node, DiagnosticId::operands_in_parentheses);
+    return node;
+}
+
+// il_fb_call = il_call_operator fb_name
+//              [ "(" ( EOL { EOL } [ il_param_list ] | [ il_operand_list ] ) ")" ] ;
+const ast::IlOperation* Parser::parse_il_fb_call(const IlOperatorRow& row) {
+    auto* node = make<ast::IlFbCall>();
+    node->modifier = row.modifier;
+    const std::uint32_t word = advance();
+    if (at_end_of_operands() || !at(TokenKind::identifier)) {
+        if (at_end_of_operands())
+            report_missing(DiagnosticId::missing_operand, {quoted(word)});
+        else
+            report_at(at_, DiagnosticId::missing_name,
+                      {"the name of a function block instance", quoted(at_)});
+        node->fb_name = make_missing<ast::ErrorExpression>();
+        return finish(node);
+    }
+    node->fb_name = parse_il_variable();
+    if (node->fb_name->kind != ast::NodeKind::variable_name)
+        report_node(*node->fb_name, DiagnosticId::call_of_member,
+                    {node->fb_name->kind == ast::NodeKind::array_variable ? "an array element"
+                                                                          : "a member"});
+    if (!at(TokenKind::left_parenthesis) || at_line_end())
+        return finish(node);
+    const std::uint32_t behind = next(at_);
+    if (begins_line(behind) || at_formal_argument(behind)) {
+        node->arguments = parse_il_param_list(false);
+    } else {
+        const std::uint32_t open = advance();
+        node->arguments = parse_il_arguments(open, nullptr);
+    }
+    return finish(node);
+}
+
+// ---- operands -----------------------------------------------------------------------------------
+
+/// Nothing that could be an operand follows in this line.
+bool Parser::at_end_of_operands() noexcept {
+    static constexpr TokenSet ends{TokenKind::semicolon, TokenKind::right_parenthesis,
+                                   TokenKind::comma};
+    return at_line_end() || at(ends) || at_end_of_instructions();
+}
+
+/// An operand, or a report that it is missing `after` what stands before it.
+const ast::Expression* Parser::expect_il_operand(std::string after) {
+    if (!at_end_of_operands())
+        return parse_il_operand();
+    report_missing(DiagnosticId::missing_operand, {std::move(after)});
+    return make_missing<ast::ErrorExpression>();
+}
+
+// il_operand = constant | il_variable | enumerated_value ;
+const ast::Expression* Parser::parse_il_operand() {
+    const ast::Expression* operand = nullptr;
+    if (at_literal() || at_signed_number()) {
+        operand = parse_constant();
+    } else if (at(TokenKind::identifier) || at_operand_keyword()) {
+        operand = parse_il_variable();
+    } else if (at(TokenKind::enumerated_value)) {
+        operand = parse_enumerated_value();
+    } else if (at(TokenKind::direct_variable) || at(TokenKind::incomplete_location)) {
+        operand = parse_primary();
+    } else if (at_expression_start() && parentheses_close_on_line()) {
+        operand = parse_unary();
+        return report_expression(at_line_end() ? operand : parse_binary_rest(operand, 1));
+    } else {
+        report_at(at_, DiagnosticId::not_an_operand, {quoted(at_)});
+        return make_missing<ast::ErrorExpression>();
+    }
+    if (at_line_end())
+        return operand;
+    if (at(TokenKind::left_parenthesis) && parentheses_close_on_line())
+        return report_expression(parse_call(operand));
+    const bool operation =
+        operator_strength(kind()) > 0 && !is_keyword(kind()) && !at(TokenKind::ampersand);
+    return operation ? report_expression(parse_binary_rest(operand, 1)) : operand;
+}
+
+const ast::Expression* Parser::report_expression(const ast::Expression* expression) {
+    const bool call = expression->kind == ast::NodeKind::function_call;
+    report_node(*expression, DiagnosticId::not_an_operand, {call ? "a call" : "an expression"});
+    return expression;
+}
+
+/// True when the rest of the line closes all parentheses that it opens.
+bool Parser::parentheses_close_on_line() const noexcept {
+    std::uint32_t depth = 0;
+    std::uint32_t steps = 0;
+    std::uint32_t i = at_;
+    do {
+        if (tokens_[i].kind() == TokenKind::left_parenthesis)
+            ++depth;
+        else if (tokens_[i].kind() == TokenKind::right_parenthesis && depth > 0)
+            --depth;
+        i = next(i);
+    } while (!begins_line(i) && i != count_ && ++steps < furthest_on_line);
+    return depth == 0;
+}
+
+// il_symbolic_variable = variable_name { il_subscript_list | "." field_selector } ;
+const ast::Expression* Parser::parse_il_variable() {
+    const ast::Expression* variable = parse_variable_name();
+    for (;;) {
+        if (at_line_end() || (!at(TokenKind::dot) && !at(TokenKind::left_bracket)))
+            return variable;
+        if (begins_line(next(at_)) || peek() == TokenKind::end_of_unit) {
+            auto* node = make_from<ast::StructuredVariable>(variable);
+            advance();
+            node->record_variable = variable;
+            report_missing(DiagnosticId::missing_operand, {quoted(end_ - 1)});
+            node->field_selector = make_missing<ast::Identifier>();
+            return finish(node);
+        }
+        if (at(TokenKind::dot)) {
+            variable = parse_field(variable);
+            continue;
+        }
+        const std::size_t reports = diagnostics_.size();
+        variable = parse_subscripts(variable);
+        if (diagnostics_.size() == reports)
+            check_il_subscripts(*variable);
+    }
+}
+
+// il_subscript = integer_literal | direct_variable | variable_name | "EN" | "ENO" ;
+void Parser::check_il_subscripts(const ast::Expression& variable) {
+    const auto* array = ast::as<ast::ArrayVariable>(&variable);
+    if (array == nullptr)
+        return;
+    for (const ast::Expression* subscript : array->subscripts) {
+        switch (subscript->kind) {
+        case ast::NodeKind::integer_literal:
+        case ast::NodeKind::variable_name:
+        case ast::NodeKind::direct_variable: break;
+        case ast::NodeKind::array_variable:
+        case ast::NodeKind::structured_variable:
+            report_node(*subscript, DiagnosticId::il_subscript, {"a part of a variable"});
+            break;
+        default:
+            report_node(*subscript, DiagnosticId::il_subscript,
+                        {ast::is<ast::Constant>(subscript->kind)
+                             ? "another constant than an integer"
+                             : "an expression"});
+            break;
+        }
+    }
+}
+
+// il_operand_list = il_operand { "," il_operand } ;
+void Parser::add_il_operands(ListBuilder<ast::Expression>& operands) {
+    while (accept_il_comma())
+        operands.add(parse_next_il_operand());
+}
+
+/// "," between two operands
+bool Parser::accept_il_comma() {
+    if (at_line_end() || at_end_of_instructions())
+        return false;
+    return accept(TokenKind::comma) || (!begins_instruction_on_line() && accept_missing_comma());
+}
+
+/// Behind a comma. A list that goes on in the next line is reported.
+const ast::Expression* Parser::parse_next_il_operand() {
+    const std::uint32_t behind = next(at_);
+    static constexpr TokenSet in_list{TokenKind::comma, TokenKind::right_parenthesis};
+    const bool goes_on = at_line_end() && at_expression_start() && il_operator(at_) == nullptr &&
+                         (in_list.contains(tokens_[behind].kind()) || begins_line(behind));
+    if (!goes_on)
+        return expect_il_operand("`,`");
+    report_line_end();
+    return parse_il_operand();
+}
+
+/// A line end in an operand list: reported, and passed over.
+void Parser::report_line_end() {
+    const TextRange gap{previous_end(), token().offset()};
+    const bool blank =
+        text_.substr(gap.begin, gap.size()).find_first_not_of(" \t\r\n") == std::string_view::npos;
+    Report line_end = report(DiagnosticId::line_end_in_instruction, {gap.begin, gap.begin});
+    if (blank)
+        line_end.replace(gap, " ");
+}
+
+// ---- arguments ----------------------------------------------------------------------------------
+
+/// Non-formal arguments in parentheses, from behind the `(` or the first of them.
+ast::List<ast::Node> Parser::parse_il_arguments(std::uint32_t open, const ast::Expression* first) {
+    ListBuilder<ast::Node> arguments(*this);
+    const auto add = [&](const ast::Expression* value) {
+        auto* argument = make_from<ast::InputArgument>(value);
+        argument->value = value;
+        argument->end_token = value->end_token;
+        arguments.add(argument);
+    };
+    if (first != nullptr)
+        add(first);
+    ++il_parentheses_;
+    if (first == nullptr && !at(TokenKind::right_parenthesis))
+        add(expect_il_operand("`(`"));
+    while (accept_il_comma()) {
+        if (at_formal_argument(at_))
+            arguments.add(parse_il_argument());
+        else
+            add(parse_next_il_operand());
+    }
+    --il_parentheses_;
+    const ast::List<ast::Node> list = arguments.finish();
+    check_arguments(list);
+    if (at(TokenKind::right_parenthesis)) {
+        if (at_line_end())
+            report_line_end();
+        advance();
+        return list;
+    }
+    if (!at_line_end() && !at_end_of_instructions() && !at(TokenKind::semicolon)) {
+        report_unexpected("`,` or `)`");
+        skip_line();
+        return list;
+    }
+    report_missing(DiagnosticId::missing_token, {"`)`"})
+        .label(LabelId::opened_here, open)
+        .insert(previous_end(), ")");
+    return list;
+}
+
+/// `name :=`, `name =>` or `NOT name =>`, also with `=` for `:=`.
+bool Parser::at_formal_argument(std::uint32_t index) const noexcept {
+    if (tokens_[index].kind() == TokenKind::kw_not)
+        index = next(index);
+    static constexpr TokenSet behind{TokenKind::assign, TokenKind::output_arrow, TokenKind::equal};
+    return (tokens_[index].kind() == TokenKind::identifier || is_keyword(tokens_[index].kind())) &&
+           behind.contains(tokens_[next(index)].kind());
+}
+
+// il_param_list = { il_param_instruction } il_param_last_instruction ;
+// il_param_instruction = ( il_param_assignment | il_param_out_assignment ) "," EOL { EOL } ;
+// il_param_last_instruction = ( il_param_assignment | il_param_out_assignment ) EOL { EOL } ;
+ast::List<ast::Node> Parser::parse_il_param_list(bool function) {
+    const std::uint32_t open = advance();
+    const bool closed = parenthesis_closes(open);
+    MissingLineEnds missing;
+    ListBuilder<ast::Node> arguments(*this);
+    if (function || !at(TokenKind::right_parenthesis))
+        expect_line_end_in(missing, "after `(`");
+    ++il_parentheses_;
+    while (!at(TokenKind::right_parenthesis) && !at_end_of_instructions()) {
+        if (!closed && !at_formal_argument(at_) && !at(TokenKind::comma))
+            break;
+        const std::size_t reports = diagnostics_.size();
+        if (!at(TokenKind::comma))
+            add_in_loop(arguments, [this] { return parse_il_argument(); });
+        else
+            report_unexpected("an argument");
+        if (diagnostics_.size() != reports && !at(TokenKind::comma) && !at_formal_argument(at_) &&
+            !at(TokenKind::right_parenthesis) && !at_line_end())
+            skip_line(); // one report for an argument
+        expect_end_of_argument(missing, closed);
+    }
+    --il_parentheses_;
+    close_il_parenthesis(open, missing);
+    const ast::List<ast::Node> list = arguments.finish();
+    check_il_arguments(list, open);
+    return list;
+}
+
+/// Only formal arguments stand on lines of their own.
+void Parser::check_il_arguments(const ast::List<ast::Node>& arguments, std::uint32_t open) {
+    check_arguments(arguments);
+    if (arguments.empty())
+        return;
+    const auto* first = ast::as<ast::InputArgument>(arguments.front());
+    const std::uint32_t behind = tokens_[open].end();
+    if (first != nullptr && first->name == nullptr && !first->value->missing)
+        report(DiagnosticId::line_end_in_instruction, {behind, behind});
+}
+
+/// "," EOL, or the end of the list
+void Parser::expect_end_of_argument(MissingLineEnds& missing, bool closed) {
+    if (at(TokenKind::comma)) {
+        if (at_line_end() && reported_at_ != at_)
+            report_line_end();
+        const std::uint32_t comma = advance();
+        if (at(TokenKind::right_parenthesis))
+            report_at(comma, DiagnosticId::unexpected_token, {"`)`", "`,`"})
+                .remove(tokens_[comma].range());
+        else if (!at(TokenKind::comma))
+            expect_line_end_in(missing, "after `,`");
+        return;
+    }
+    if (at(TokenKind::right_parenthesis) || at_end_of_instructions())
+        return;
+    if (at_formal_argument(at_)) {
+        report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
+        expect_line_end_in(missing, "after `,`");
+        return;
+    }
+    if (at_line_end() && !closed)
+        return;
+    report_unexpected("`,` or `)`");
+    skip_line();
+}
+
+// il_param_assignment = il_assign_operator
+//                       ( il_operand | "(" EOL { EOL } simple_instr_list ")" ) ;
+const ast::Node* Parser::parse_il_argument() {
+    const bool negated = at(TokenKind::kw_not);
+    if ((negated ? peek_second() : peek()) == TokenKind::output_arrow)
+        return parse_il_output_argument();
+    auto* node = make<ast::InputArgument>();
+    if (!at_formal_argument(at_)) {
+        node->value = parse_il_operand();
+        return finish(node);
+    }
+    if (negated) {
+        report_unexpected("an argument");
+        advance();
+    }
+    node->name = parse_il_argument_name();
+    if (at(TokenKind::equal))
+        report_at(at_, DiagnosticId::equal_for_assignment).replace(token().range(), ":=");
+    advance();
+    const std::uint32_t behind = next(at_);
+    const bool list =
+        at(TokenKind::left_parenthesis) && !at_line_end() &&
+        (begins_line(behind) || (il_operator(behind) != nullptr && !begins_line(next(behind))));
+    node->value = list ? parse_il_argument_list() : expect_il_operand("`:=`");
+    return finish(node);
+}
+
+const ast::Identifier* Parser::parse_il_argument_name() {
+    if (is_keyword(kind()) && !at(execution_control))
+        report_reserved_word(at_);
+    return make_identifier();
+}
+
+// il_param_out_assignment = il_assign_out_operator il_variable ;
+const ast::Node* Parser::parse_il_output_argument() {
+    auto* node = make<ast::OutputArgument>();
+    node->negated = accept(TokenKind::kw_not);
+    node->name = parse_il_argument_name();
+    advance();
+    const std::size_t reports = diagnostics_.size();
+    node->variable = expect_il_operand("`=>`");
+    if (diagnostics_.size() == reports)
+        check_variable("=>", *node->variable);
+    return finish(node);
+}
+
+/// "(" EOL { EOL } simple_instr_list ")"
+const ast::Node* Parser::parse_il_argument_list() {
+    const NestingGuard guard(*this);
+    if (guard.too_deep()) {
+        parse_too_deep_operation();
+        return make_missing<ast::ErrorExpression>();
+    }
+    const std::uint32_t open = advance();
+    const bool closed = parenthesis_closes(open);
+    MissingLineEnds missing;
+    expect_line_end_in(missing, "after `(`");
+    ++il_parentheses_;
+    const ast::InstructionList* list = parse_simple_instruction_list("parentheses", closed);
+    --il_parentheses_;
+    if (list->instructions.empty())
+        report_at(at_, DiagnosticId::not_an_instruction, {describe(at_)});
+    close_il_parenthesis(open, missing);
+    return list;
+}
+
+} // namespace iecfront
