@@ -88,12 +88,20 @@ const ast::ConfigurationDeclaration* Parser::parse_configuration_declaration() {
     auto* node = make<ast::ConfigurationDeclaration>();
     place_ = Place::configuration;
     open_block(TokenKind::kw_end_configuration, advance());
-    node->name = parse_declared_name("the name of a configuration");
+    node->name = parse_configuration_name();
     accept_extra_semicolon();
     node->elements = parse_configuration_elements(place_);
     close_block("");
     check_configuration_order(node->elements, node->first_token, place_);
     return finish(node);
+}
+
+/// A keyword before the first element is the name, which would be missing otherwise.
+const ast::Identifier* Parser::parse_configuration_name() {
+    static constexpr TokenSet elements =
+        block_openers | TokenSet{TokenKind::kw_resource, TokenKind::kw_task, TokenKind::kw_program};
+    const bool keyword = is_keyword(kind()) && !at(block_openers) && elements.contains(peek());
+    return keyword ? take_reserved_word() : parse_declared_name("the name of a configuration");
 }
 
 // resource_declaration = "RESOURCE" resource_name "ON" resource_type_name

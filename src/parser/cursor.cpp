@@ -233,10 +233,10 @@ const ast::Identifier* Parser::make_missing_identifier(std::string what) {
 const ast::Identifier* Parser::parse_name(std::string what) {
     if (at(TokenKind::identifier))
         return make_identifier();
-    if (is_keyword(kind()) && (used_as_name(kind()) || at_operand_keyword())) {
-        report_reserved_word(at_);
-        return make_identifier();
-    }
+    static constexpr TokenSet behind_parameter{TokenKind::assign, TokenKind::output_arrow};
+    if (is_keyword(kind()) &&
+        (used_as_name(kind()) || at_operand_keyword() || behind_parameter.contains(peek())))
+        return take_reserved_word();
     return make_missing_identifier(std::move(what));
 }
 
@@ -252,10 +252,8 @@ const ast::Identifier* Parser::parse_declared_name(std::string what) {
                                          TokenKind::kw_with,
                                          TokenKind::right_parenthesis};
     const bool alone = at_operand_keyword() && tokens_[next(at_)].first_on_line();
-    if (is_keyword(kind()) && (after_name.contains(peek()) || alone)) {
-        report_reserved_word(at_);
-        return make_identifier();
-    }
+    if (is_keyword(kind()) && (after_name.contains(peek()) || alone))
+        return take_reserved_word();
     if (!at(TokenKind::identifier))
         return make_missing_identifier(std::move(what));
     if (const StandardName standard = standard_name(text(at_)); standard != StandardName::none)
@@ -270,6 +268,30 @@ bool Parser::used_as_name(TokenKind kind) const noexcept {
                        [kind](const ReservedWord& word) { return word.kind == kind; });
 }
 
+const ast::Identifier* Parser::take_reserved_word() {
+    report_reserved_word(at_);
+    return make_identifier();
+}
+
+/// True at a keyword of statements that what stands around it makes a variable: `TO := 1;`,
+/// `IF.x := 1;` and `x := TO;`.
+bool Parser::at_keyword_for_variable() {
+    static constexpr TokenSet words{TokenKind::kw_if,    TokenKind::kw_case,   TokenKind::kw_for,
+                                    TokenKind::kw_while, TokenKind::kw_repeat, TokenKind::kw_return,
+                                    TokenKind::kw_exit,  TokenKind::kw_then,   TokenKind::kw_do,
+                                    TokenKind::kw_of,    TokenKind::kw_to,     TokenKind::kw_by};
+    static constexpr TokenSet before_operand{TokenKind::assign, TokenKind::left_parenthesis,
+                                             TokenKind::comma};
+    static constexpr TokenSet behind_operand{TokenKind::semicolon, TokenKind::right_parenthesis,
+                                             TokenKind::comma};
+    if (!words.contains(kind()))
+        return false;
+    const bool operand = at_ > 0 && before_operand.contains(tokens_[at_ - 1].kind()) &&
+                         !token().first_on_line() && behind_operand.contains(peek());
+    return (operand || peek() == TokenKind::assign || peek() == TokenKind::dot) &&
+           !opens_block(kind());
+}
+
 /// The first use is reported, and its fix renames every use in the unit.
 void Parser::report_reserved_word(std::uint32_t token) {
     const TokenKind keyword = tokens_[token].kind();
@@ -277,10 +299,13 @@ void Parser::report_reserved_word(std::uint32_t token) {
     for (const ReservedWord& word : reserved_words_)
         if (word.kind == keyword) {
             std::vector<TextEdit>& edits = diagnostics_[word.diagnostic].fixes.front().edits;
-            if (edits.back().range != edit.range)
+            if (edits.back().range != edit.range) {
                 edits.push_back(edit);
+                count_as_name(keyword);
+            }
             return;
         }
+    count_as_name(keyword);
     const std::string words(text(token));
     const Report first = report(DiagnosticId::reserved_word_as_name, edit.range, {words});
     diagnostics_[first.index()].fixes.push_back({{edit}});

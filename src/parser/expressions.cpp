@@ -266,7 +266,8 @@ const ast::Expression* Parser::parse_primary() {
         return parse_constant();
     if (at(operator_functions) && peek() == TokenKind::left_parenthesis)
         return check_function_call(parse_operator_call());
-    if (at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())))
+    if (at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())) ||
+        at_keyword_for_variable())
         return parse_variable();
     return parse_missing_expression();
 }
@@ -404,6 +405,8 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
         node->field_selector = make_missing_identifier("a name after `.`");
     } else if (at(execution_control)) {
         node->field_selector = make_identifier();
+    } else if (is_keyword(kind()) && tokens_[at_ - 1].end() == token().offset()) {
+        node->field_selector = take_reserved_word();
     } else {
         node->field_selector = parse_name("a name after `.`");
     }

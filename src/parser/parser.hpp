@@ -228,7 +228,9 @@ private:
     /// A name that is declared; names of standard functions and function blocks are reported.
     const ast::Identifier* parse_declared_name(std::string what);
     void report_reserved_word(std::uint32_t token);
+    const ast::Identifier* take_reserved_word();
     [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
+    [[nodiscard]] bool at_keyword_for_variable();
 
     // ---- recovery.cpp ---------------------------------------------------------------------------
     /// A block that waits for its closing word.
@@ -252,6 +254,8 @@ private:
     [[nodiscard]] bool at_mismatched_closer();
     /// How many more blocks of this kind begin in the unit than are closed.
     [[nodiscard]] std::int32_t& unclosed(TokenKind closer);
+    void count_as_name(TokenKind word);
+    [[nodiscard]] bool opens_block(TokenKind word);
     [[nodiscard]] bool at_declaration_start() const noexcept;
     [[nodiscard]] bool at_statement_start() const noexcept;
     void skip_balanced();
@@ -361,6 +365,7 @@ private:
     const ast::ProgramDeclaration* parse_program_declaration();
     ast::List<ast::VariableDeclarations> parse_declaration_blocks(Place place);
     const ast::Identifier* parse_unit_name(std::string what);
+    [[nodiscard]] bool at_keyword_for_unit_name();
     const ast::TypeSpecification* parse_result_type();
     void skip_rest_of_head();
     const ast::Body* parse_body();
@@ -375,6 +380,7 @@ private:
 
     // ---- configuration.cpp: B.1.7
     const ast::ConfigurationDeclaration* parse_configuration_declaration();
+    const ast::Identifier* parse_configuration_name();
     const ast::ResourceDeclaration* parse_resource_declaration();
     ast::List<ast::Node> parse_configuration_elements(Place place);
     [[nodiscard]] bool at_end_of_configuration_elements(Place place);

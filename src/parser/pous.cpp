@@ -35,7 +35,22 @@ const ast::FunctionDeclaration* Parser::parse_function_declaration() {
 const ast::Identifier* Parser::parse_unit_name(std::string what) {
     if (token().first_on_line() && at_statement_start())
         return make_missing_identifier(std::move(what));
-    return parse_declared_name(std::move(what));
+    return at_keyword_for_unit_name() ? take_reserved_word() : parse_declared_name(std::move(what));
+}
+
+/// True at a keyword on the line of the head that begins neither a declaration nor a statement.
+bool Parser::at_keyword_for_unit_name() {
+    static constexpr TokenSet statement_words{TokenKind::kw_if, TokenKind::kw_case,
+                                              TokenKind::kw_for, TokenKind::kw_while,
+                                              TokenKind::kw_repeat};
+    if (!is_keyword(kind()) || token().first_on_line() || at(block_openers) ||
+        at(library_element_closers) || begins_chart_element(at_))
+        return false;
+    if (tokens_[next(at_)].first_on_line() || block_openers.contains(peek()))
+        return true;
+    if (at(statement_words))
+        return !opens_block(kind());
+    return peek() == TokenKind::identifier || is_keyword(peek());
 }
 
 // ":" ( elementary_type_name | derived_type_name )

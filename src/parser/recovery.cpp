@@ -83,6 +83,22 @@ std::int32_t& Parser::unclosed(TokenKind closer) {
     return unclosed_[static_cast<std::size_t>(closer)];
 }
 
+/// A keyword that is meant as a name opens and closes nothing.
+void Parser::count_as_name(TokenKind word) {
+    for (const BlockWords& words : blocks)
+        if (words.opener == word)
+            --unclosed(words.closer);
+    if (closers.contains(word))
+        ++unclosed(word);
+}
+
+/// True for an opening word when no block is left open: each of them opens one.
+bool Parser::opens_block(TokenKind word) {
+    return std::any_of(std::begin(blocks), std::end(blocks), [&](const BlockWords& words) {
+        return words.opener == word && unclosed(words.closer) <= 0;
+    });
+}
+
 /// True when the closing word at the cursor fits the innermost block, but by its column belongs to
 /// one further out, and that one would otherwise stay open: the innermost is the unclosed one.
 bool Parser::closes_outer_block() const noexcept {
@@ -246,7 +262,7 @@ bool Parser::at_declaration_start() const noexcept {
         return false;
     const TokenKind after = peek();
     return after == TokenKind::colon || after == TokenKind::kw_at ||
-           (after == TokenKind::comma && token().first_on_line());
+           (after == TokenKind::comma && (token().first_on_line() || is_keyword(kind())));
 }
 
 bool Parser::at_statement_start() const noexcept {

@@ -211,8 +211,9 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
 // statement = NIL | assignment_statement | subprogram_control_statement | selection_statement
 //           | iteration_statement ;
 const ast::Statement* Parser::parse_statement() {
+    const bool name_of_keyword = at_keyword_for_variable();
     const TokenKind opener = at(block_statements) ? kind() : missing_opener();
-    if (block_statements.contains(opener)) {
+    if (block_statements.contains(opener) && !name_of_keyword) {
         const NestingGuard guard(*this);
         if (guard.too_deep())
             return parse_too_deep_statement();
@@ -227,7 +228,10 @@ const ast::Statement* Parser::parse_statement() {
     switch (kind()) {
     case TokenKind::semicolon: return make<ast::EmptyStatement>();
     case TokenKind::kw_return:
-    case TokenKind::kw_exit: return parse_word_statement();
+    case TokenKind::kw_exit:
+        if (!name_of_keyword)
+            return parse_word_statement();
+        break;
     default: break;
     }
     if (at(declaration_words))
@@ -243,7 +247,8 @@ const ast::Statement* Parser::parse_statement() {
         return parse_case_without_head();
     static constexpr TokenSet operator_functions{TokenKind::kw_and, TokenKind::kw_or,
                                                  TokenKind::kw_xor, TokenKind::kw_mod};
-    const bool name = at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())) ||
+    const bool name = at_operand_keyword() || name_of_keyword ||
+                      (is_keyword(kind()) && used_as_name(kind())) ||
                       (at(operator_functions) && peek() == TokenKind::left_parenthesis);
     const bool two_words = is_keyword(kind()) && peek() == TokenKind::identifier &&
                            !tokens_[next(at_)].first_on_line();
@@ -294,7 +299,8 @@ const ast::Statement* Parser::parse_word_statement() {
 /// What begins with a variable: an assignment or the invocation of a function block.
 const ast::Statement* Parser::parse_simple_statement() {
     const std::size_t reports = diagnostics_.size();
-    const bool variable = at(TokenKind::identifier) || at_operand_keyword() || used_as_name(kind());
+    const bool variable = at(TokenKind::identifier) || at_operand_keyword() ||
+                          used_as_name(kind()) || at_keyword_for_variable();
     if (!variable && !at(TokenKind::direct_variable) && !at(TokenKind::incomplete_location)) {
         const ast::Expression* expression = parse_expression();
         return at(TokenKind::assign) ? parse_assignment(expression)
@@ -751,7 +757,8 @@ const ast::Statement* Parser::parse_for_statement() {
     }
     if (at(TokenKind::kw_en) || at(TokenKind::kw_eno))
         report_reserved_word(at_); // a control variable has a name
-    const bool variable = at(TokenKind::identifier) || at_operand_keyword() || used_as_name(kind());
+    const bool variable = at(TokenKind::identifier) || at_operand_keyword() ||
+                          used_as_name(kind()) || at_keyword_for_variable();
     node->control_variable = variable                         ? parse_variable()
                              : at(TokenKind::direct_variable) ? parse_direct_variable()
                                                               : parse_missing_expression();

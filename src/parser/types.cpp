@@ -8,6 +8,18 @@ namespace {
 
 constexpr TokenSet integer_type_names = TokenSet::range(TokenKind::kw_sint, TokenKind::kw_ulint);
 
+// Words that go on behind a declaration without a type.
+constexpr TokenSet words_of_blocks = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config) |
+                                     TokenSet{TokenKind::kw_end_var,
+                                              TokenKind::kw_end_struct,
+                                              TokenKind::kw_end_type,
+                                              TokenKind::kw_end_function,
+                                              TokenKind::kw_end_function_block,
+                                              TokenKind::kw_end_program,
+                                              TokenKind::kw_end_configuration,
+                                              TokenKind::kw_end_resource,
+                                              TokenKind::end_of_unit};
+
 constexpr TokenSet string_type_names{TokenKind::kw_string, TokenKind::kw_wstring};
 
 bool begins_type(TokenKind kind) noexcept {
@@ -149,7 +161,10 @@ const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use)
     }
     if (is_elementary_type_name(kind()) || is_generic_type_name(kind()))
         return parse_elementary_type();
-    if (is_keyword(kind()) && used_as_name(kind())) {
+    static constexpr TokenSet after_type{TokenKind::semicolon, TokenKind::assign};
+    const bool only_name =
+        after_type.contains(peek()) && !token().first_on_line() && !at(words_of_blocks);
+    if (is_keyword(kind()) && (used_as_name(kind()) || only_name)) {
         report_reserved_word(at_);
         return parse_type_name();
     }

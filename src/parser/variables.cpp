@@ -66,8 +66,9 @@ constexpr BlockRow block_rows[] = {
 } // namespace
 
 bool Parser::at_end_of_declarations() {
+    static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
     if (at(ends_of_declarations))
-        return peek() != TokenKind::colon || at(TokenKind::end_of_unit);
+        return !after_name.contains(peek()) || at(TokenKind::end_of_unit);
     if (at_misspelt_closer() || at_foreign_closer())
         return true;
     // Statements in a declaration block: its END_VAR is missing.
