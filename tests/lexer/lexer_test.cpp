@@ -1,5 +1,6 @@
 #include "lexer/lexer.hpp"
 #include "support/lexed.hpp"
+#include "support/lexed_faults.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -12,11 +12,6 @@
 // comes of it (`tiling_fault`), and shows one side of it as words.
 namespace iecfront::test {
 
-// What breaks the invariants of lexed text: tokens and trivia are ordered, do not overlap, leave
-// only white space between them, and end in one end_of_unit; ranges of diagnostics lie in the text
-// and are ordered. Empty when all is well.
-std::string tiling_fault(std::string_view text, const LexedText& lexed, Encoding encoding);
-
 // `identifier(a) assign(:=) real!(1.)`: `!` marks a malformed one; end_of_unit is left out.
 std::string tokens(std::string_view text, Encoding encoding = Encoding::utf8);
 
