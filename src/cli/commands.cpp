@@ -93,10 +93,6 @@ void set_findings(Options& options, std::string_view value) {
         static_cast<std::size_t>(number<0, UINT32_MAX>("--max-findings", value));
 }
 
-void set_strict(Options& options, std::string_view) {
-    options.strict = true;
-}
-
 void set_list(Options& options, std::string_view) {
     options.list = true;
 }
@@ -129,6 +125,13 @@ void set_allow(Options& options, std::string_view value) {
 
 void set_deny(Options& options, std::string_view value) {
     add_severity(options, value, Severity::error);
+}
+
+// What SeverityPolicy::strict() does, as far as no later option takes it back.
+void set_strict(Options& options, std::string_view) {
+    for (const DiagnosticClass category :
+         {DiagnosticClass::extension, DiagnosticClass::implementation_dependent})
+        add_severity(options, to_string(category), Severity::error);
 }
 
 // ---- options

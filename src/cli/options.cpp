@@ -109,7 +109,7 @@ private:
 } // namespace
 
 SeverityPolicy Options::policy() const {
-    SeverityPolicy policy = strict ? SeverityPolicy::strict() : SeverityPolicy();
+    SeverityPolicy policy;
     for (const auto& [what, severity] : severities)
         static_cast<void>(policy.set(what, severity)); // known: checked when it was read
     return policy;

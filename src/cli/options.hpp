@@ -30,8 +30,8 @@ struct Options {
     /// How many findings of a file are printed as text; 0 stands for all. No reader wants the
     /// hundred thousand lines that a file of another kind gives.
     std::size_t maximum_findings = 1000;
-    bool strict = false;
-    std::vector<std::pair<std::string, Severity>> severities; ///< --warn, --allow, --deny
+    /// Of --warn, --allow, --deny and --strict, in order.
+    std::vector<std::pair<std::string, Severity>> severities;
     bool list = false;
     bool help = false;
 
