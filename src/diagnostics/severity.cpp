@@ -17,9 +17,17 @@ constexpr std::array<std::string_view, 4> unexamined = {
     "rules of meaning: instructions, expressions and statements (clauses 3.2 and 3.3)",
 };
 
-// A limit says nothing of the text, whatever severity it is given.
+// What the standard forbids stays forbidden when it is reported as a warning; what it lets a system
+// have, and the user refuses, is forbidden by the user. A limit says nothing of the text.
 [[nodiscard]] bool is_violation(const DiagnosticInfo& row, Severity severity) noexcept {
-    return severity == Severity::error && row.category != DiagnosticClass::limit;
+    switch (row.category) {
+    case DiagnosticClass::violation:
+    case DiagnosticClass::error: return severity != Severity::allow;
+    case DiagnosticClass::extension:
+    case DiagnosticClass::implementation_dependent: return severity == Severity::error;
+    case DiagnosticClass::limit: break;
+    }
+    return false;
 }
 
 [[nodiscard]] bool leaves_open(const DiagnosticInfo& row, Severity severity) noexcept {

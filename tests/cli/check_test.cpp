@@ -45,12 +45,20 @@ TEST_F(CheckCommand, PrintsAClickableLineTheSourceAndTheRemedy) {
                            "1 file, 1 error: violations were found\n");
 }
 
-TEST_F(CheckCommand, WarningsLeaveTheStatus) {
+TEST_F(CheckCommand, WarningsOfExtensionsLeaveTheStatus) {
     write("extended.st", extended_program);
     const Outcome outcome = run({"check", "--warn", "extension", "extended.st"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_TRUE(outcome.out.starts_with("extended.st:3:9: warning IEC5001: ")) << outcome.out;
     EXPECT_TRUE(contains(outcome.out, "\n1 file, 1 warning: no violations found, but"));
+}
+
+TEST_F(CheckCommand, AViolationStaysOneAsAWarning) {
+    write("bad.st", bad_program);
+    const Outcome outcome = run({"check", "--warn", "missing-semicolon", "bad.st"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.out.starts_with("bad.st:3:7: warning IEC2006: ")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "\n1 file, 1 warning: violations were found\n"));
 }
 
 TEST_F(CheckCommand, SeveritiesCanBeSet) {
@@ -67,6 +75,9 @@ TEST_F(CheckCommand, SeveritiesCanBeSet) {
     EXPECT_EQ(status({"--deny", "line-comment", "--warn", "line-comment"}), 0);
     EXPECT_EQ(status({"--warn", "line-comment", "--deny", "line-comment"}), 1);
     EXPECT_EQ(status({"--warn", "line-comment", "--strict"}), 0);
+    EXPECT_EQ(status({"--allow", "extension", "--strict"}), 1);
+    EXPECT_EQ(status({"--strict", "--allow", "extension"}), 0);
+    EXPECT_EQ(status({"--strict", "--warn", "line-comment"}), 0);
     EXPECT_EQ(status({"--deny", "line-comment", "--allow", "extension"}), 1);
     EXPECT_FALSE(contains(run({"check", "--allow", "extension", "extended.st"}).out, "IEC5001"));
 }
@@ -105,6 +116,14 @@ TEST_F(CheckCommand, ALimitThatIsNotReportedIsStillSaid) {
     EXPECT_EQ(outcome.status, 3);
     EXPECT_TRUE(contains(outcome.out, "\n  not examined: IEC9002 nesting-too-deep\n"))
         << outcome.out;
+}
+
+TEST_F(CheckCommand, ALimitIsNoViolationAlsoAsAnError) {
+    write("deep.st", deep_program);
+    const Outcome outcome = run({"check", "--max-nesting", "5", "--deny", "limit", "deep.st"});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_TRUE(contains(outcome.out, ": error IEC9002: ")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, ": no violations found, but the examination is incomplete"));
 }
 
 TEST_F(CheckCommand, ViolationsCountMoreThanLimits) {

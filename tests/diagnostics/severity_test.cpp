@@ -7,6 +7,7 @@ using namespace iecfront;
 namespace {
 
 constexpr DiagnosticId violation = DiagnosticId::missing_semicolon;
+constexpr DiagnosticId annex_e = DiagnosticId::nested_comment;
 constexpr DiagnosticId extension = DiagnosticId::line_comment;
 constexpr DiagnosticId dependent = DiagnosticId::pragma;
 constexpr DiagnosticId limit = DiagnosticId::nesting_too_deep;
@@ -61,10 +62,24 @@ TEST(Determination, AnErrorIsAViolation) {
     EXPECT_EQ(determine_one(extension), Determination::violations);
 }
 
-TEST(Determination, AWarningIsNone) {
+TEST(Determination, AViolationIsOneAlsoAsAWarning) {
     SeverityPolicy policy;
+    policy.set(DiagnosticClass::violation, Severity::warning);
+    policy.set(DiagnosticClass::error, Severity::warning);
+    EXPECT_EQ(determine_one(violation, policy), Determination::violations);
+    EXPECT_EQ(determine_one(annex_e, policy), Determination::violations);
+}
+
+TEST(Determination, WhatIsRefusedIsAViolation) {
+    EXPECT_EQ(determine_one(dependent, SeverityPolicy::strict()), Determination::violations);
+}
+
+TEST(Determination, AWarningOfWhatIsPermittedIsNone) {
+    SeverityPolicy policy;
+    policy.set(dependent, Severity::warning);
     policy.set(extension, Severity::warning);
     EXPECT_EQ(determine_one(extension, policy), nothing_found);
+    EXPECT_EQ(determine_one(dependent, policy), nothing_found);
     EXPECT_EQ(determine_one(dependent), nothing_found);
 }
 

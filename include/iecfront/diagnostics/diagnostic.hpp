@@ -34,8 +34,8 @@ enum class DiagnosticClass : std::uint8_t {
 /// How a finding is treated: the software switch of 1.5.1.
 enum class Severity : std::uint8_t {
     allow,   ///< not reported
-    warning, ///< reported, and the text is not refused for it
-    error,   ///< reported, and makes the determination *violations*
+    warning, ///< reported; a violation is one all the same (`determine`)
+    error,   ///< reported, and refused: even what the standard permits is a violation then
 };
 
 /// One row of the catalogue.

@@ -18,7 +18,9 @@ public:
     /// The severity that `id` is reported with.
     [[nodiscard]] Severity severity(DiagnosticId id) const noexcept;
 
+    /// Sets the severity of one diagnostic, whatever that of its class.
     void set(DiagnosticId id, Severity severity);
+    /// Sets the severity of a class, for all its diagnostics that have none set of their own.
     void set(DiagnosticClass category, Severity severity);
 
     /// Sets by what a user types: a code (`IEC2006`), a name (`missing-semicolon`) or a class
@@ -38,8 +40,8 @@ private:
 /// What 1.5.1 c) lets a system say of a text.
 enum class Determination : std::uint8_t {
     no_violations, ///< all of it was examined, and nothing was found
-    violations,    ///< at least one finding has severity `error`
-    incomplete,    ///< nothing was found, but not everything was examined
+    violations,    ///< something was found that the standard forbids, or that the user refuses
+    incomplete,    ///< no violation was found, but not everything was examined
 };
 
 /// `no-violations`, `violations` or `incomplete`.
@@ -49,8 +51,11 @@ enum class Determination : std::uint8_t {
 /// is not empty, no text is ever determined to have *no violations*.
 [[nodiscard]] IECFRONT_API std::span<const std::string_view> never_examined() noexcept;
 
-/// The determination for a text with these findings. A limit that was hit, or a violation that
-/// `policy` allows, makes it incomplete; so does `never_examined()`.
+/// The determination for a text with these findings. A finding of class `violation` or `error` is a
+/// violation when `policy` has it reported, as an error or as a warning; use of an extension, or of
+/// an implementation-dependent feature, when it is an error. A limit that was hit is none, but
+/// makes the determination incomplete; so does a violation that `policy` allows, and
+/// `never_examined()`.
 [[nodiscard]] IECFRONT_API Determination determine(std::span<const Diagnostic> diagnostics,
                                                    const SeverityPolicy& policy) noexcept;
 
