@@ -9,7 +9,8 @@
 namespace iecfront {
 namespace {
 
-constexpr TokenSet step_words{TokenKind::kw_initial_step, TokenKind::kw_step, TokenKind::kw_action};
+constexpr TokenSet chart_openers{TokenKind::kw_initial_step, TokenKind::kw_step,
+                                 TokenKind::kw_transition, TokenKind::kw_action};
 
 constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
                                  TokenKind::kw_end_action};
@@ -52,14 +53,18 @@ bool Parser::begins_operand(TokenKind kind) noexcept {
 
 /// True when a step, transition or action begins at token `index`.
 bool Parser::begins_chart_element(std::uint32_t index) const noexcept {
-    const std::uint32_t second = next(index);
-    const TokenKind after = tokens_[second].kind();
-    if (tokens_[next(second)].kind() == TokenKind::assign)
+    if (!chart_openers.contains(tokens_[index].kind()))
         return false;
+    const std::uint32_t second = next(index);
+    const std::uint32_t third = next(second);
+    const TokenKind name = tokens_[second].kind();
+    const TokenKind after = tokens_[third].kind();
+    if (name == TokenKind::identifier)
+        return after != TokenKind::assign;
     if (tokens_[index].kind() == TokenKind::kw_transition)
-        return after == TokenKind::identifier || after == TokenKind::kw_from ||
-               after == TokenKind::left_parenthesis;
-    return step_words.contains(tokens_[index].kind()) && after == TokenKind::identifier;
+        return name == TokenKind::kw_from ||
+               (name == TokenKind::left_parenthesis && names_equal(text(third), "PRIORITY"));
+    return is_keyword(name) && after == TokenKind::colon;
 }
 
 /// How the line that begins at token `index` reads. What tells an instruction are two operands in a
@@ -97,10 +102,10 @@ bool Parser::ends_operator(std::uint32_t index) const noexcept {
 /// The language of the body that begins here (6.2 A28). Each line that reads as an instruction
 /// speaks for IL, each `;`, `:=` and statement for ST, and the majority decides, so that one
 /// mistake never turns a whole body into another language.
-ast::BodyLanguage Parser::body_language() const noexcept {
+BodyLanguage Parser::body_language() const noexcept {
     constexpr std::int32_t decisive_lead = 10; // a long body need not be looked through
     if (begins_chart_element(at_))
-        return ast::BodyLanguage::sequential_function_chart;
+        return BodyLanguage::sequential_function_chart;
     std::int32_t instructions = 0;
     std::int32_t statements = 0;
     std::int32_t chart_words = 0;
@@ -114,9 +119,12 @@ ast::BodyLanguage Parser::body_language() const noexcept {
             line = line_kind(i, line);
             instructions += line == LineKind::other ? 0 : 1;
         }
-        if (chart_closers.contains(here) || begins_chart_element(i))
+        if (chart_closers.contains(here) || begins_chart_element(i)) {
+            if (open_.back().closer == TokenKind::kw_end_action)
+                break; // the action is not closed
             if (++chart_words == 2)
-                return ast::BodyLanguage::sequential_function_chart;
+                return BodyLanguage::sequential_function_chart;
+        }
         const bool call = line == LineKind::other && depth == 0 && i > at_ &&
                           tokens_[i - 1].kind() == TokenKind::identifier &&
                           !is_il_operator(text(i - 1)) && !ends_operator(i - 1);
@@ -139,9 +147,9 @@ ast::BodyLanguage Parser::body_language() const noexcept {
         }
     }
     if (chart_words > statements + instructions)
-        return ast::BodyLanguage::sequential_function_chart;
-    return instructions > statements || statements == 0 ? ast::BodyLanguage::instruction_list
-                                                        : ast::BodyLanguage::structured_text;
+        return BodyLanguage::sequential_function_chart;
+    return instructions > statements || statements == 0 ? BodyLanguage::instruction_list
+                                                        : BodyLanguage::structured_text;
 }
 
 } // namespace iecfront

@@ -21,6 +21,13 @@ namespace iecfront {
 
 struct IlOperatorRow;
 
+/// The languages a body can be written in (1.4.3).
+enum class BodyLanguage : std::uint8_t {
+    structured_text,
+    instruction_list,
+    sequential_function_chart
+};
+
 /// The recursive-descent parser of one unit. One function parses one production and has it as its
 /// comment; the functions stand in one source file per chapter of Annex B.
 ///
@@ -263,6 +270,7 @@ private:
     const ast::ErrorStatement* skip_statement();
     void skip_declaration();
     void expect_semicolon_of_declaration();
+    void report_missing_semicolon();
 
     // ---- constants.cpp: B.1.2
     const ast::Expression* parse_constant();
@@ -369,14 +377,55 @@ private:
     const ast::TypeSpecification* parse_result_type();
     void skip_rest_of_head();
     const ast::Body* parse_body();
-    const ast::Body* parse_unexamined_body();
     const ast::Body* parse_empty_body();
-    [[nodiscard]] ast::BodyLanguage body_language() const noexcept; // body_language.cpp
+    [[nodiscard]] BodyLanguage body_language() const noexcept; // body_language.cpp
     enum class LineKind { operation, application, other };
     [[nodiscard]] LineKind line_kind(std::uint32_t index, LineKind before) const noexcept;
     [[nodiscard]] bool ends_operator(std::uint32_t index) const noexcept;
     [[nodiscard]] bool begins_chart_element(std::uint32_t index) const noexcept;
     [[nodiscard]] bool body_begins_in_head() const noexcept;
+
+    // ---- sequential_function_chart.cpp: B.1.6
+    const ast::SequentialFunctionChart* parse_sequential_function_chart();
+    const ast::SfcNetwork* parse_sfc_network();
+    [[nodiscard]] bool at_end_of_chart();
+    const ast::Node* parse_chart_element(TokenKind opener);
+    [[nodiscard]] TokenKind chart_element_opener() const noexcept;
+    [[nodiscard]] bool at_chart_word() const noexcept;
+    [[nodiscard]] TokenKind misspelt_chart_word() const noexcept;
+    [[nodiscard]] TokenKind missing_chart_word() const noexcept;
+    void open_chart_element(TokenKind opener);
+    [[nodiscard]] bool at_end_of_chart_element();
+    [[nodiscard]] bool at_chart_structure() const noexcept;
+    const ast::SkippedText* skip_text_in_chart();
+    void expect_colon_of_chart();
+    const ast::Step* parse_step(TokenKind opener);
+    ast::List<ast::ActionAssociation> parse_action_associations();
+    const ast::ActionAssociation* parse_action_association();
+    bool expect_qualifier_parenthesis();
+    void skip_association();
+    void expect_semicolon_of_association();
+    const ast::ActionQualifier* parse_action_qualifier();
+    void report_unknown_qualifier();
+    const ast::Expression* parse_time_of_qualifier();
+    const ast::Expression* parse_action_time();
+    const ast::Expression* parse_indicator();
+    const ast::Expression* parse_parameter_of_action(std::string what);
+    const ast::Transition* parse_transition();
+    const ast::Identifier* parse_optional_transition_name();
+    [[nodiscard]] bool begins_priority(std::uint32_t index) const noexcept;
+    const ast::Expression* parse_optional_priority();
+    void expect_priority_word();
+    void report_missing_parentheses(std::uint32_t first, std::string_view around);
+    const ast::Steps* parse_steps_behind(TokenKind word);
+    bool accept_misspelt_part(TokenKind word);
+    const ast::Steps* parse_steps();
+    const ast::TransitionCondition* parse_transition_condition();
+    [[nodiscard]] bool instructions_follow_colon() const noexcept;
+    void expect_semicolon_of_condition();
+    void skip_rest_of_transition();
+    const ast::Action* parse_action();
+    const ast::Body* parse_too_deep_body();
 
     // ---- configuration.cpp: B.1.7
     const ast::ConfigurationDeclaration* parse_configuration_declaration();
@@ -580,6 +629,7 @@ private:
     std::uint32_t nesting_ = 0;
     bool nesting_reported_ = false;
     bool in_condition_ = false;   // `:=` is taken for `=`
+    bool in_chart_ = false;       // the body, or what it is in an action of
     bool closer_assumed_ = false; // the last closing word was missing, and its `;` with it
     std::optional<std::uint32_t> reported_at_; // token of the last report
     std::optional<std::uint32_t> comma_assumed_at_;

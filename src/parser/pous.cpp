@@ -98,7 +98,7 @@ bool Parser::body_begins_in_head() const noexcept {
     const bool word =
         at(TokenKind::identifier) || line_kind(at_, LineKind::operation) != LineKind::other;
     return word && !block_openers.contains(tokens_[line].kind()) &&
-           body_language() == ast::BodyLanguage::instruction_list;
+           body_language() == BodyLanguage::instruction_list;
 }
 
 // function_block_declaration = "FUNCTION_BLOCK" derived_function_block_name
@@ -159,15 +159,15 @@ ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place plac
 // function_body = instruction_list | statement_list ;
 // function_block_body = sequential_function_chart | instruction_list | statement_list ;
 const ast::Body* Parser::parse_body() {
-    if (at(library_element_closers) || at_misspelt_closer())
+    if (at(library_element_closers) || at(open_.back().closer) || at_misspelt_closer())
         return parse_empty_body();
-    const ast::BodyLanguage language = body_language();
-    if (language == ast::BodyLanguage::instruction_list)
+    const BodyLanguage language = body_language();
+    if (language == BodyLanguage::instruction_list)
         return parse_instruction_list();
-    if (language == ast::BodyLanguage::sequential_function_chart) {
-        if (place_ == Place::function)
+    if (language == BodyLanguage::sequential_function_chart) {
+        if (place_ == Place::function && !in_chart_)
             report(DiagnosticId::chart_in_function, token().range());
-        return parse_unexamined_body();
+        return parse_sequential_function_chart();
     }
     return parse_statement_list("in a body");
 }
@@ -180,17 +180,6 @@ const ast::Body* Parser::parse_empty_body() {
     if (!token().first_on_line() && !at_end())
         report_missing(DiagnosticId::empty_body).insert(previous_end(), " ;");
     return body;
-}
-
-const ast::Body* Parser::parse_unexamined_body() {
-    auto* body = make<ast::UnexaminedBody>();
-    body->language = ast::BodyLanguage::sequential_function_chart;
-    const std::uint32_t first = at_;
-    while (!at(library_element_closers) && !at_misspelt_closer())
-        advance();
-    if (place_ != Place::function) // where it was reported that there is a chart
-        report(DiagnosticId::chart_unexamined, tokens_[first].range());
-    return finish(body);
 }
 
 } // namespace iecfront

@@ -21,6 +21,12 @@ constexpr TokenSet closers =
              TokenKind::kw_end_if,     TokenKind::kw_end_case,       TokenKind::kw_end_for,
              TokenKind::kw_end_while,  TokenKind::kw_end_repeat};
 
+constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
+                                 TokenKind::kw_end_action};
+
+constexpr TokenSet chart_openers{TokenKind::kw_initial_step, TokenKind::kw_step,
+                                 TokenKind::kw_transition, TokenKind::kw_action};
+
 constexpr TokenSet block_words =
     closers | TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config) |
     TokenSet{TokenKind::kw_else, TokenKind::kw_elsif, TokenKind::kw_until, TokenKind::end_of_unit};
@@ -57,6 +63,10 @@ constexpr BlockWords blocks[] = {
     {TokenKind::kw_for, TokenKind::kw_end_for},
     {TokenKind::kw_while, TokenKind::kw_end_while},
     {TokenKind::kw_repeat, TokenKind::kw_end_repeat},
+    {TokenKind::kw_initial_step, TokenKind::kw_end_step},
+    {TokenKind::kw_step, TokenKind::kw_end_step},
+    {TokenKind::kw_transition, TokenKind::kw_end_transition},
+    {TokenKind::kw_action, TokenKind::kw_end_action},
 };
 
 } // namespace
@@ -128,7 +138,7 @@ bool Parser::at_misspelt_closer() const noexcept {
         return after == TokenKind::semicolon || after == TokenKind::end_of_unit;
     }
     const bool alone = after == TokenKind::semicolon || tokens_[next(at_)].first_on_line() ||
-                       after == TokenKind::end_of_unit;
+                       after == TokenKind::end_of_unit || chart_openers.contains(after);
     return alone && is_misspelling(word, closer);
 }
 
@@ -207,8 +217,9 @@ bool Parser::join_missing_closer(const std::string& words) {
     Diagnostic& last = diagnostics_.back();
     const bool of_closer = last.id == DiagnosticId::missing_closing_word;
     const bool unfinished = at_end() && last.range.end >= previous_end();
-    if (last.id == DiagnosticId::empty_statement_list || (!of_closer && !unfinished) ||
-        last.range.end < previous_end())
+    const bool of_semicolon = last.id == DiagnosticId::missing_semicolon;
+    if (last.id == DiagnosticId::empty_statement_list || last.range.end < previous_end() ||
+        (!of_closer && !of_semicolon && !unfinished))
         return false;
     const OpenBlock& block = open_.back();
     last.labels.push_back({tokens_[block.opener].range(),
@@ -331,6 +342,18 @@ void Parser::expect_semicolon_of_declaration() {
     report_unexpected("`;`");
     skip_declaration();
     accept(TokenKind::semicolon);
+}
+
+/// What is missing before the `;`, and was reported here, takes the `;` along.
+void Parser::report_missing_semicolon() {
+    const bool together = reported_at_ == at_ && !diagnostics_.empty() &&
+                          diagnostics_.back().id == DiagnosticId::missing_token;
+    if (!together) {
+        report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+        return;
+    }
+    for (DiagnosticFix& fix : diagnostics_.back().fixes)
+        fix.edits.back().replacement += ';';
 }
 
 } // namespace iecfront

@@ -21,6 +21,9 @@ constexpr TokenSet library_element_closers{
     TokenKind::kw_end_type,    TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
     TokenKind::kw_end_program, TokenKind::kw_end_configuration, TokenKind::end_of_unit};
 
+// Of what can hold statements.
+constexpr TokenSet inner_closers = statement_closers | TokenSet{TokenKind::kw_end_action};
+
 constexpr TokenSet block_statements{TokenKind::kw_if, TokenKind::kw_case, TokenKind::kw_for,
                                     TokenKind::kw_while, TokenKind::kw_repeat};
 
@@ -77,12 +80,11 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
 
 /// True when what follows belongs to something that is open further out, or closes this list.
 bool Parser::at_end_of_statements() {
-    if (at(library_element_closers) || at_foreign_closer())
+    if (at(library_element_closers) || at_foreign_closer() || at_chart_structure())
         return true;
     const TokenKind innermost = open_.back().closer;
     if (at(statement_closers) || at(other_closers))
-        return is_open(kind()) ||
-               (statement_closers.contains(innermost) && unclosed(innermost) > 0);
+        return is_open(kind()) || (inner_closers.contains(innermost) && unclosed(innermost) > 0);
     switch (kind()) {
     case TokenKind::kw_else:
         return open_.back().in_else
@@ -183,13 +185,7 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
                          at(TokenKind::kw_else) || at(TokenKind::kw_elsif) ||
                          at(TokenKind::kw_until);
     if (missing) {
-        const bool bracket = reported_at_ == at_ && !diagnostics_.empty() &&
-                             diagnostics_.back().id == DiagnosticId::missing_token;
-        if (bracket) // what is missing before the `;` was reported here, and takes it along
-            for (DiagnosticFix& fix : diagnostics_.back().fixes)
-                fix.edits.back().replacement += ';';
-        else
-            report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+        report_missing_semicolon();
         return nullptr;
     }
     static constexpr TokenSet look_alikes{TokenKind::comma, TokenKind::colon, TokenKind::dot};

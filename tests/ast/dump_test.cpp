@@ -88,9 +88,8 @@ TEST(SExpression, ShortensLongTextsBetweenCharacters) {
 
 TEST(SExpression, EscapesWhatIsNotPlain) {
     TreeBuilder builder("\"a\"\n\\");
-    const auto* body = builder.node<UnexaminedBody>(0, 2);
-    EXPECT_EQ(s_expression(*builder.unit(), *body),
-              R"((unexamined_body instruction_list "\"a\"\n\\"))");
+    const auto* skipped = builder.node<SkippedText>(0, 2);
+    EXPECT_EQ(s_expression(*builder.unit(), *skipped), R"((skipped_text "\"a\"\n\\"))");
     TreeBuilder latin("\xC4", Encoding::iso_8859_1);
     const auto* name = latin.leaf<Identifier>(0);
     EXPECT_EQ(s_expression(*latin.unit(), *name), "\"\xC3\x84\"");
@@ -150,7 +149,7 @@ TEST(DumpJson, HasAllMembers) {
     argument->name = first.leaf<Identifier>(1);
     argument->variable = first.node<ErrorExpression>(3, 3);
     TreeBuilder second(" FOR");
-    auto* body = second.leaf<UnexaminedBody>(0);
+    auto* body = second.leaf<SkippedText>(0);
     EXPECT_EQ(
         dump_json(tree_of({first.unit({argument}), second.unit({body})})),
         R"({"file": "a\"b.st", "units": [
@@ -160,8 +159,8 @@ TEST(DumpJson, HasAllMembers) {
         R"({"kind": "error_expression", "offset": 8, "endOffset": 8, "missing": true, )"
         R"("text": ""}}]},
 {"kind": "library_unit", "offset": 9, "endOffset": 12, "elements": [)"
-        R"({"kind": "unexamined_body", "offset": 9, "endOffset": 12, )"
-        R"("language": "instruction_list", "text": "FOR"}]}
+        R"({"kind": "skipped_text", "offset": 9, "endOffset": 12, )"
+        R"("text": "FOR"}]}
 ]}
 )");
 }

@@ -45,6 +45,9 @@ TEST(EnumerationNames, AreThoseOfTheHeaders) {
     EXPECT_EQ(to_string(VariableBlock::var_config), "var_config");
     EXPECT_EQ(to_string(BlockQualifier::none), "none");
     EXPECT_EQ(to_string(BlockQualifier::non_retain), "non_retain");
+    EXPECT_EQ(to_string(ActionQualifierKind::overriding_reset), "R");
+    EXPECT_EQ(to_string(ActionQualifierKind::stored_and_time_limited), "SL");
+    EXPECT_EQ(to_string(ActionQualifierKind::unknown), "unknown");
     EXPECT_EQ(to_string(Edge::rising), "rising");
     EXPECT_EQ(to_string(Direction::read_write), "read_write");
     EXPECT_EQ(to_string(BodyLanguage::structured_text), "structured_text");

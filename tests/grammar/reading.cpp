@@ -10,12 +10,6 @@
 namespace iecfront::test {
 namespace {
 
-[[nodiscard]] std::string language_of(const ast::Body& body) {
-    const auto* unexamined = ast::as<ast::UnexaminedBody>(&body);
-    return std::string(unexamined != nullptr ? to_string(unexamined->language)
-                                             : to_string(body.kind));
-}
-
 struct BodyLanguages : ast::Visitor<BodyLanguages> {
     ast::Walk visit(const ast::FunctionDeclaration& node) { return add(node.body); }
     ast::Walk visit(const ast::FunctionBlockDeclaration& node) { return add(node.body); }
@@ -26,7 +20,7 @@ struct BodyLanguages : ast::Visitor<BodyLanguages> {
 
 private:
     ast::Walk add(const ast::Body* body) {
-        languages.push_back(language_of(*body));
+        languages.emplace_back(to_string(body->kind));
         return ast::Walk::into;
     }
 };
@@ -49,13 +43,6 @@ std::vector<std::string> body_languages(const SyntaxTree& tree) {
     for (const SyntaxTree::Slot& slot : tree.slots())
         found.traverse(slot.unit->root());
     return found.languages;
-}
-
-bool has_unexamined_body(const SyntaxTree& tree) {
-    const std::vector<Diagnostic> all = tree.diagnostics();
-    return std::any_of(all.begin(), all.end(), [](const Diagnostic& one) {
-        return code_string(one.id) == "IEC9005";
-    });
 }
 
 Pieces::Pieces(std::string_view text) {

@@ -18,9 +18,6 @@ namespace iecfront::test {
 /// `statement_list`, `instruction_list`, `sequential_function_chart`.
 [[nodiscard]] std::vector<std::string> body_languages(const SyntaxTree& tree);
 
-/// True when a body was not examined (IEC9005).
-[[nodiscard]] bool has_unexamined_body(const SyntaxTree& tree);
-
 /// The tokens of a text as they stand there, and what stands between them: before each, and at the
 /// end. Put together, they give the text.
 struct Pieces {

@@ -60,25 +60,4 @@ struct ProgramDeclaration : LibraryElement {
     }
 };
 
-/// The languages a body can be written in (1.4.3).
-enum class BodyLanguage : std::uint8_t {
-    structured_text,
-    instruction_list,
-    sequential_function_chart
-};
-
-/// `structured_text`, `instruction_list` or `sequential_function_chart`.
-[[nodiscard]] IECFRONT_API std::string_view to_string(BodyLanguage language) noexcept;
-
-/// A body in a language that this version does not examine, kept whole. A diagnostic says so.
-struct UnexaminedBody : Body {
-    static constexpr NodeKind node_kind = NodeKind::unexamined_body;
-    UnexaminedBody() noexcept : Body(node_kind) {}
-    BodyLanguage language = BodyLanguage::instruction_list;
-
-    static constexpr auto members() {
-        return std::tuple{MemberDescription{"language", &UnexaminedBody::language}};
-    }
-};
-
 } // namespace iecfront::ast

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iecfront/ast/node.hpp>
+#include <iecfront/export.hpp>
 
 #include <cstdint>
 #include <string_view>
@@ -26,7 +27,9 @@ struct SequentialFunctionChart : Body {
     }
 };
 
-/// Steps, transitions and actions from one initial step on (B.1.6).
+/// Steps, transitions and actions up to the next initial step (B.1.6). The text says no more of
+/// where a network ends than that each has one initial step; which steps the transitions connect is
+/// not looked at here.
 struct SfcNetwork : Node {
     static constexpr NodeKind node_kind = NodeKind::sfc_network;
     SfcNetwork() noexcept : Node(node_kind) {}
@@ -52,7 +55,8 @@ struct Step : Node {
     }
 };
 
-/// `name(qualifier, time, indicators)` in a step (B.1.6).
+/// `name(qualifier, time, indicators)` in a step (B.1.6). When nothing in it could be read, its
+/// name is missing.
 struct ActionAssociation : Node {
     static constexpr NodeKind node_kind = NodeKind::action_association;
     ActionAssociation() noexcept : Node(node_kind) {}
@@ -67,14 +71,47 @@ struct ActionAssociation : Node {
     }
 };
 
-/// `N`, `L, T#5s` ... (Table 45): its first token names it.
+/// How an action depends on its step (Table 45).
+enum class ActionQualifierKind : std::uint8_t {
+    non_stored,              ///< N
+    overriding_reset,        ///< R
+    set,                     ///< S, also called stored
+    time_limited,            ///< L
+    time_delayed,            ///< D
+    pulse,                   ///< P
+    stored_and_time_delayed, ///< SD
+    delayed_and_stored,      ///< DS
+    stored_and_time_limited, ///< SL
+    pulse_rising_edge,       ///< P1
+    pulse_falling_edge,      ///< P0
+    unknown                  ///< a word that is none of these, or none at all
+};
+
+/// `N`, `R` and so on, or `unknown`.
+[[nodiscard]] IECFRONT_API std::string_view to_string(ActionQualifierKind kind) noexcept;
+
+/// True for L, D, SD, DS and SL, which have a time.
+[[nodiscard]] constexpr bool is_timed(ActionQualifierKind kind) noexcept {
+    switch (kind) {
+    case ActionQualifierKind::time_limited:
+    case ActionQualifierKind::time_delayed:
+    case ActionQualifierKind::stored_and_time_delayed:
+    case ActionQualifierKind::delayed_and_stored:
+    case ActionQualifierKind::stored_and_time_limited: return true;
+    default: return false;
+    }
+}
+
+/// `N`, `L, T#5s` and so on (Table 45).
 struct ActionQualifier : Node {
     static constexpr NodeKind node_kind = NodeKind::action_qualifier;
     ActionQualifier() noexcept : Node(node_kind) {}
-    const Expression* time = nullptr; ///< null for an untimed one
+    ActionQualifierKind qualifier = ActionQualifierKind::unknown;
+    const Expression* time = nullptr; ///< null for one that has none
 
     static constexpr auto members() {
-        return std::tuple{MemberDescription{"time", &ActionQualifier::time}};
+        return std::tuple{MemberDescription{"qualifier", &ActionQualifier::qualifier},
+                          MemberDescription{"time", &ActionQualifier::time}};
     }
 };
 
@@ -97,7 +134,7 @@ struct Transition : Node {
     }
 };
 
-/// `name`, or `(name, name)` (B.1.6).
+/// `name`, or `(name, name)`: several are left or entered together (B.1.6).
 struct Steps : Node {
     static constexpr NodeKind node_kind = NodeKind::steps;
     Steps() noexcept : Node(node_kind) {}
