@@ -633,7 +633,10 @@ const ast::TransitionCondition* Parser::parse_transition_condition() {
     }
     if (at(TokenKind::colon) && instructions_follow_colon()) {
         advance();
-        node->condition = parse_simple_instruction_list("a transition condition");
+        const ast::InstructionList* list = parse_simple_instruction_list("a transition condition");
+        node->condition = list;
+        if (list->instructions.empty())
+            report_missing(DiagnosticId::missing_token, {"an instruction"});
         return finish(node);
     }
     static constexpr TokenSet begin{TokenKind::assign, TokenKind::colon, TokenKind::equal,

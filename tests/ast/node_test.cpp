@@ -50,8 +50,6 @@ TEST(EnumerationNames, AreThoseOfTheHeaders) {
     EXPECT_EQ(to_string(ActionQualifierKind::unknown), "unknown");
     EXPECT_EQ(to_string(Edge::rising), "rising");
     EXPECT_EQ(to_string(Direction::read_write), "read_write");
-    EXPECT_EQ(to_string(BodyLanguage::structured_text), "structured_text");
-    EXPECT_EQ(to_string(BodyLanguage::sequential_function_chart), "sequential_function_chart");
 }
 
 TEST(EnumerationNames, OperatorsAreSpeltAsInTable55) {

@@ -3,10 +3,7 @@
 #include <iecfront/ast/node.hpp>
 #include <iecfront/ast/types.hpp>
 #include <iecfront/ast/variables.hpp>
-#include <iecfront/export.hpp>
 
-#include <cstdint>
-#include <string_view>
 #include <tuple>
 
 /// Program organization units (B.1.5).
