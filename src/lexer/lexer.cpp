@@ -30,6 +30,7 @@ struct Found {
     TokenKind kind;
     const char* end;
     Gaps gaps;
+    bool lacks_dash = false;    // between a date and the time behind a blank
     bool of_named_type = false; // of no elementary one
 };
 
@@ -99,6 +100,7 @@ private:
 
     const char* identifier(const char* begin, const char* end);
     const char* literal(TokenKind kind, const char* begin, const char* end);
+    void find_rest_behind_blanks(const char* body, Found& found) const;
     const char* spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps);
     const char* found_literal(const char* begin, const char* prefix_end, const Found& found);
     bool find_prefixed(const char* begin, const char* prefix_end, Found& found) const;
@@ -535,7 +537,26 @@ bool Lexer::find_prefixed(const char* begin, const char* prefix_end, Found& foun
     if (is_string(found.kind) && !is_quote(sign[1]))
         found.kind = TokenKind::typed_literal;
     found.end = extents_.literal_end(found.kind, sign + 1);
+    find_rest_behind_blanks(sign + 1, found);
     return true;
+}
+
+// `T#- 5s` and `DT#1984-06-25 15:36:55`: what is behind the sign or the date belongs to it.
+void Lexer::find_rest_behind_blanks(const char* body, Found& found) const {
+    const char* const rest = Extents::blanks_end(found.end);
+    if (rest == found.end || !is_digit(*rest))
+        return;
+    const bool sign = is_sign(*body) && found.end == body + 1 &&
+                      (found.kind == TokenKind::duration || found.kind == TokenKind::typed_literal);
+    const std::string_view given = view(body, found.end);
+    found.lacks_dash = found.kind == TokenKind::date_and_time &&
+                       std::ranges::count(given, '-') == 2 && *Extents::digits_end(rest) == ':' &&
+                       is_digit(Extents::digits_end(rest)[1]);
+    if (!sign && !found.lacks_dash)
+        return;
+    found.gaps.first = range(found.end, rest);
+    found.end = sign ? extents_.literal_end(found.kind, rest)
+                     : extents_.literal_end(TokenKind::time_of_day, rest);
 }
 
 const char* Lexer::prefixed(const char* begin, const char* prefix_end) {
@@ -546,8 +567,12 @@ const char* Lexer::prefixed(const char* begin, const char* prefix_end) {
 }
 
 const char* Lexer::found_literal(const char* begin, const char* prefix_end, const Found& found) {
-    if (found.gaps.any())
-        return spaced_literal(found.kind, begin, found.end, found.gaps);
+    if (found.gaps.any()) {
+        const char* const end = spaced_literal(found.kind, begin, found.end, found.gaps);
+        if (found.lacks_dash)
+            result_.diagnostics.back().fixes.front().edits.front().replacement = "-";
+        return end;
+    }
     if (found.kind == TokenKind::enumerated_value) {
         const bool first_well_formed = check_word(begin, prefix_end);
         const bool well_formed = check_word(prefix_end + 1, found.end) && first_well_formed;
@@ -831,7 +856,9 @@ bool Lexer::ends_operand(Token token, const char* next) const {
 const char* Lexer::dot(const char* begin) {
     if (begin[1] == '.')
         return delimiter(TokenKind::dot_dot, begin, 2);
-    if (!is_digit(begin[1]))
+    const bool third = has_tokens() && last_token().kind() == TokenKind::dot_dot &&
+                       last_token().end() == offset(begin); // `1...5`
+    if (!is_digit(begin[1]) || third)
         return delimiter(TokenKind::dot, begin, 1);
     if (!has_tokens() || !ends_operand(last_token(), begin))
         return literal(TokenKind::real, begin, extents_.real_end(begin));

@@ -85,6 +85,8 @@ private:
     void open(std::size_t i);
     void close(std::size_t i);
     void cut_before(std::size_t i);
+    [[nodiscard]] bool is_in_two_words(std::size_t i) const noexcept;
+    [[nodiscard]] bool follows_unknown_head(std::size_t i) const noexcept;
     [[nodiscard]] bool closes_open(TokenKind closer) const noexcept;
     [[nodiscard]] bool is_misused_name(std::size_t i) const noexcept;
     [[nodiscard]] bool opens_declaration(std::size_t i) const noexcept;
@@ -129,8 +131,13 @@ void UnitCutter::see(std::size_t i) {
         break;
     case Role::global_variables:
         variables_open_ = !nothing_open;
-        if (nothing_open && !is_misused_name(i))
+        if (nothing_open && !is_misused_name(i)) {
             open(i);
+            if (follows_unknown_head(i)) {
+                open_ = TokenKind::kw_configuration;
+                variables_open_ = true;
+            }
+        }
         break;
     case Role::opener:
         if (nothing_open ? !opens_declaration(i) : !is_declaration_head(i))
@@ -156,10 +163,21 @@ void UnitCutter::close(std::size_t i) {
         variables_open_ = false;
         return;
     }
+    if (is_in_two_words(i))
+        ++i;
     do
         ++i;
     while (at(i).kind() == TokenKind::semicolon);
     cut_before(i);
+}
+
+// `END_FUNCTION BLOCK`, with nothing else behind it in its line.
+bool UnitCutter::is_in_two_words(std::size_t i) const noexcept {
+    const Token third = at(i + 2);
+    return tokens_[i].kind() == TokenKind::kw_end_function &&
+           at(i + 1).kind() == TokenKind::identifier && !at(i + 1).first_on_line() &&
+           (third.first_on_line() || third.kind() == TokenKind::semicolon ||
+            third.kind() == TokenKind::end_of_unit);
 }
 
 void UnitCutter::cut_before(std::size_t i) {
@@ -179,6 +197,13 @@ bool UnitCutter::closes_open(TokenKind closer) const noexcept {
 // `TYPE : INT;`, `step.TYPE := 1`, `f(PROGRAM, 1)`: no declaration goes on like this.
 bool UnitCutter::is_misused_name(std::size_t i) const noexcept {
     return is_delimiter(at(i + 1).kind());
+}
+
+// `CONFIGURATON name` before global variables: it is open until it is closed, or another one
+// begins.
+bool UnitCutter::follows_unknown_head(std::size_t i) const noexcept {
+    return i == unit_begin_ + 2 && at(i - 2).kind() == TokenKind::identifier &&
+           at(i - 1).kind() == TokenKind::identifier && !at(i - 1).first_on_line();
 }
 
 // While nothing is open, an opener begins a declaration. Behind text that belongs to nothing, which
@@ -246,6 +271,8 @@ bool UnitCutter::is_program_configuration(std::size_t i) const noexcept {
 bool UnitCutter::can_follow_name(TokenKind opener, Token token) const noexcept {
     if (token.kind() == TokenKind::colon)
         return opener == TokenKind::kw_function;
+    if (token.kind() == TokenKind::kw_with) // `PROGRAM p WITH t : q;` of a configuration
+        return false;
     return token.first_on_line() || !is_delimiter(token.kind()) ||
            token.kind() == TokenKind::semicolon;
 }

@@ -147,7 +147,7 @@ bool Parser::at_end_of_configuration_elements(Place place) {
                (unclosed(TokenKind::kw_end_configuration) > 0 && peek() == TokenKind::end_of_unit);
     if (place != Place::resource)
         return false;
-    return at(TokenKind::kw_resource) ||
+    return misspelt_configuration_word() == TokenKind::kw_resource ||
            ((at(TokenKind::kw_var_access) || at(TokenKind::kw_var_config)) &&
             unclosed(TokenKind::kw_end_resource) > 0);
 }
@@ -155,8 +155,16 @@ bool Parser::at_end_of_configuration_elements(Place place) {
 const ast::Node* Parser::parse_configuration_element(Place place) {
     if (at(block_openers) || at_declarations_without_opener())
         return parse_variable_declarations(place);
-    switch (kind()) {
-    case TokenKind::kw_resource: return parse_resource_declaration();
+    const TokenKind meant = misspelt_configuration_word();
+    if (at(TokenKind::identifier) && meant != TokenKind::end_of_unit) {
+        const std::string word(spelling(meant));
+        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), word})
+            .replace(token().range(), word);
+    }
+    switch (meant) {
+    case TokenKind::kw_resource:
+        unclosed(TokenKind::kw_end_resource) += at(TokenKind::identifier) ? 1 : 0;
+        return parse_resource_declaration();
     case TokenKind::kw_task: {
         const auto* task = parse_task_configuration();
         expect_semicolon_of_configuration();
@@ -182,6 +190,27 @@ const ast::Node* Parser::parse_configuration_element(Place place) {
     while (!at(element_words) && !accept(TokenKind::semicolon) && !at_library_element_closer())
         advance();
     return finish(skipped);
+}
+
+/// The word at the cursor that begins a resource, task or program, also a misspelt one; end_of_unit
+/// when it is none.
+TokenKind Parser::misspelt_configuration_word() const noexcept {
+    if (at(element_words))
+        return kind();
+    if (!at(TokenKind::identifier) || peek() != TokenKind::identifier)
+        return TokenKind::end_of_unit;
+    switch (peek_second()) {
+    case TokenKind::kw_on:
+        return is_misspelling(text(at_), "RESOURCE") ? TokenKind::kw_resource
+                                                     : TokenKind::end_of_unit;
+    case TokenKind::left_parenthesis:
+        return is_misspelling(text(at_), "TASK") ? TokenKind::kw_task : TokenKind::end_of_unit;
+    case TokenKind::colon:
+    case TokenKind::kw_with:
+        return is_misspelling(text(at_), "PROGRAM") ? TokenKind::kw_program
+                                                    : TokenKind::end_of_unit;
+    default: return TokenKind::end_of_unit;
+    }
 }
 
 void Parser::expect_semicolon_of_configuration() {

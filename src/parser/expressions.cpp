@@ -176,11 +176,11 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
     }
 }
 
-/// What two delimiters in a row mean that cannot stand so: `< =`, `* *` or `=<`; end_of_unit for
-/// any others.
+/// What two delimiters in a row mean that cannot stand so: `< =`, `* *`, `=<` or `===`; end_of_unit
+/// for any others.
 TokenKind Parser::split_operator() const noexcept {
     static constexpr TokenSet firsts{TokenKind::less, TokenKind::greater, TokenKind::equal,
-                                     TokenKind::star};
+                                     TokenKind::equal_equal, TokenKind::star};
     if (!at(firsts) || !on_same_line(at_, next(at_)))
         return TokenKind::end_of_unit;
     const TokenKind after = peek();
@@ -191,7 +191,11 @@ TokenKind Parser::split_operator() const noexcept {
                                              : TokenKind::end_of_unit;
     case TokenKind::greater:
         return after == TokenKind::equal ? TokenKind::greater_equal : TokenKind::end_of_unit;
+    case TokenKind::equal_equal:
+        return after == TokenKind::equal ? TokenKind::equal : TokenKind::end_of_unit;
     case TokenKind::equal:
+        if (after == TokenKind::equal)
+            return TokenKind::equal;
         return after == TokenKind::less && adjoins_next() ? TokenKind::less_equal
                                                           : TokenKind::end_of_unit;
     case TokenKind::star:
@@ -205,7 +209,7 @@ void Parser::accept_split_operator(TokenKind meant) {
     const std::string words(spelling(meant));
     const bool one = at(TokenKind::output_arrow);
     const TextRange range = token_range(at_, one ? at_ + 1 : next(at_) + 1);
-    if (one || adjoins_next())
+    if (one || adjoins_next() || meant == TokenKind::equal)
         report(DiagnosticId::foreign_operator, range,
                {std::string(text_.substr(range.begin, range.size())), words})
             .replace(range, words);

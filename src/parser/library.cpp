@@ -25,7 +25,10 @@ const ast::LibraryUnit* Parser::parse_library_unit() {
     auto* unit = make<ast::LibraryUnit>();
     ListBuilder<ast::Node> elements(*this);
     const bool misused = opener_ == count_ && at(openers); // `TYPE : INT;`
-    if (!misused)
+    const bool configuration = opener_ < count_ && opener_ == next(next(at_)) &&
+                               tokens_[opener_].kind() == TokenKind::kw_var_global &&
+                               misspelt_opener(at_) == TokenKind::kw_configuration;
+    if (!misused && !configuration)
         skip_stray_text(elements, opener_ < count_ ? opener_ : find_misspelt_opener());
     if (!at_end()) {
         elements.add(parse_library_element());

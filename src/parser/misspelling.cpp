@@ -64,6 +64,22 @@ std::optional<std::size_t> misspelt_letters(std::string_view word,
     return wrong <= allowed ? std::optional(wrong) : std::nullopt;
 }
 
+bool is_abbreviation(std::string_view word, std::string_view meant) noexcept {
+    constexpr std::size_t shortest = 5; // END and two letters
+    const Letters a = letters_of(word);
+    if (a.too_long || a.size < shortest)
+        return false;
+    Letters initials = letters_of(meant.substr(0, 3));
+    for (std::size_t i = 3; i + 1 < meant.size(); ++i)
+        if (meant[i] == '_')
+            initials.data[initials.size++] = fold(meant[i + 1]);
+    const auto begins_with_word = [&a](const Letters& letters) {
+        return letters.size >= a.size &&
+               std::equal(a.data.begin(), a.data.begin() + a.size, letters.data.begin());
+    };
+    return begins_with_word(letters_of(meant)) || begins_with_word(initials);
+}
+
 bool is_misspelling(std::string_view word, std::string_view meant) noexcept {
     return misspelt_letters(word, meant).has_value();
 }

@@ -14,4 +14,8 @@ namespace iecfront {
 [[nodiscard]] std::optional<std::size_t> misspelt_letters(std::string_view word,
                                                           std::string_view meant) noexcept;
 
+/// True when `word` is short for the closing word `meant`: its beginning (`END_CONF`), or END with
+/// the first letters of its parts (`END_FB`).
+[[nodiscard]] bool is_abbreviation(std::string_view word, std::string_view meant) noexcept;
+
 } // namespace iecfront

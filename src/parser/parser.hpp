@@ -312,6 +312,10 @@ private:
     const ast::TypeSpecification* parse_string_specification(const ast::Node* keyword);
     const ast::TypeSpecification* parse_subrange_specification(const ast::TypeSpecification* base);
     const ast::Subrange* parse_subrange();
+    [[nodiscard]] bool at_bounds_with_dash() const noexcept;
+    [[nodiscard]] bool at_bounds_as_real() const noexcept;
+    bool accept_between_bounds();
+    bool accept_semicolon_for_comma();
     const ast::TypeSpecification* parse_enumerated_specification();
     ast::List<ast::EnumeratedValueDeclaration> parse_enumerated_value_list();
     const ast::TypeSpecification* parse_enumeration_of(const ast::TypeSpecification* base);
@@ -430,6 +434,7 @@ private:
     // ---- configuration.cpp: B.1.7
     const ast::ConfigurationDeclaration* parse_configuration_declaration();
     const ast::Identifier* parse_configuration_name();
+    [[nodiscard]] TokenKind misspelt_configuration_word() const noexcept;
     const ast::ResourceDeclaration* parse_resource_declaration();
     ast::List<ast::Node> parse_configuration_elements(Place place);
     [[nodiscard]] bool at_end_of_configuration_elements(Place place);
@@ -527,6 +532,8 @@ private:
     const ast::Statement* parse_case_statement();
     const ast::Statement* parse_case_rest(ast::CaseStatement* node);
     const ast::Statement* parse_case_without_head();
+    [[nodiscard]] bool at_repeated_case();
+    void accept_repeated_case();
     const ast::CaseElement* parse_case_element();
     const ast::Node* parse_case_label();
     const ast::Expression* parse_constant_label();
@@ -541,6 +548,7 @@ private:
     void skip_loop_head(ast::ForStatement& loop);
     const ast::Statement* parse_while_statement();
     const ast::Statement* parse_repeat_statement();
+    const ast::Statement* parse_until_behind_closer(ast::RepeatStatement* node);
     const ast::Statement* parse_word_statement();
     void check_not_empty(const ast::StatementList& list, std::string_view where);
 

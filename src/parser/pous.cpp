@@ -84,8 +84,13 @@ void Parser::skip_rest_of_head() {
         at_declarations_without_opener() || at_statement_start() || body_begins_in_head())
         return;
     report_unexpected("a declaration block or the body");
-    while (!token().first_on_line() && !at(block_openers) && !at(library_element_closers))
+    while (!token().first_on_line() && !at(block_openers) && !at(library_element_closers) &&
+           !at(TokenKind::semicolon))
         advance();
+    if (at(TokenKind::semicolon) && !library_element_closers.contains(peek())) {
+        while (accept(TokenKind::semicolon)) {
+        }
+    }
 }
 
 /// An instruction or a chart on the line of the head, with no declarations behind it.

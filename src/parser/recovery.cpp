@@ -123,31 +123,34 @@ bool Parser::closes_outer_block() const noexcept {
     });
 }
 
-/// An identifier like `ENDIF` or `END_FI`, or `END` alone, in the place of the closing word.
+/// An identifier like `ENDIF`, `END_FI` or `END_FB`, or `END` alone, in the place of the closing
+/// word; also that word in two.
 bool Parser::at_misspelt_closer() const noexcept {
-    if (open_.empty() || !at(TokenKind::identifier))
+    if (open_.empty() || (!at(TokenKind::identifier) && !at(TokenKind::kw_end_function)))
         return false;
-    const std::string_view word = text(at_);
-    if (word.size() < 3)
-        return false;
-    const TokenKind after = peek();
     const std::string_view closer = spelling(open_.back().closer);
     if (at_split_word(closer))
         return true;
+    const std::string_view word = text(at_);
+    if (word.size() < 3 || !at(TokenKind::identifier))
+        return false;
+    const TokenKind after = peek();
     if (names_equal(word, "END")) {
         return after == TokenKind::semicolon || after == TokenKind::end_of_unit;
     }
     const bool alone = after == TokenKind::semicolon || tokens_[next(at_)].first_on_line() ||
                        after == TokenKind::end_of_unit || chart_openers.contains(after);
-    return alone && is_misspelling(word, closer);
+    return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer));
 }
 
-/// `END IF`, `END _IF` or `END_ IF`.
+/// `END IF`, `END _IF`, `END_ IF` or `END_FUNCTION BLOCK`.
 bool Parser::at_split_word(std::string_view closer) const noexcept {
     const std::uint32_t second = next(at_);
     const std::string_view rest = text(second);
     if (tokens_[second].first_on_line())
         return false;
+    if (at(TokenKind::kw_end_function))
+        return closer == spelling(TokenKind::kw_end_function_block) && names_equal(rest, "BLOCK");
     if (names_equal(text(at_), "END_"))
         return names_equal(rest, closer.substr(4));
     return names_equal(text(at_), "END") &&

@@ -95,7 +95,7 @@ bool Parser::at_end_of_statements() {
     case TokenKind::kw_until: return is_open(TokenKind::kw_end_repeat);
     default: break;
     }
-    if (innermost == TokenKind::kw_end_case && at_case_label())
+    if (innermost == TokenKind::kw_end_case && (at_case_label() || at_repeated_case()))
         return !open_.back().in_else;
     if (innermost == TokenKind::kw_end_if && at_misspelt_elsif())
         return true;
@@ -364,7 +364,17 @@ void Parser::expect_assign() {
     const std::uint32_t first = at_;
     if (accept(TokenKind::assign))
         return;
-    if (at(TokenKind::equal)) {
+    static constexpr TokenSet firsts{TokenKind::equal, TokenKind::equal_equal};
+    const bool reversed = at(TokenKind::equal) && peek() == TokenKind::colon && adjoins_next();
+    const bool repeated = peek() == TokenKind::equal && on_same_line(at_, next(at_));
+    if (at(firsts) && (reversed || repeated)) { // `=:`, `= =` and `===`
+        const TextRange range = token_range(at_, next(at_) + 1);
+        report(DiagnosticId::foreign_operator, range,
+               {std::string(text_.substr(range.begin, range.size())), ":="})
+            .replace(range, ":=");
+        advance();
+        advance();
+    } else if (at(TokenKind::equal)) {
         report_at(at_, DiagnosticId::equal_for_assignment).replace(token().range(), ":=");
         advance();
     } else if (at(TokenKind::colon) && peek() == TokenKind::equal) {
@@ -595,14 +605,33 @@ const ast::Statement* Parser::parse_case_statement() {
 // "END_CASE"
 const ast::Statement* Parser::parse_case_rest(ast::CaseStatement* node) {
     ListBuilder<ast::CaseElement> elements(*this);
-    do
+    do {
+        accept_repeated_case();
         elements.add(parse_case_element());
-    while (at_case_label() || !at_end_of_statements());
+    } while (at_case_label() || at_repeated_case() || !at_end_of_statements());
     node->elements = elements.finish();
     if (at(TokenKind::kw_else))
         node->else_list = parse_else_list();
     close_block(";");
     return finish(node);
+}
+
+/// `CASE 1:` for `1:`, when no END_CASE is there for it.
+bool Parser::at_repeated_case() {
+    static constexpr TokenSet values{TokenKind::integer, TokenKind::identifier,
+                                     TokenKind::enumerated_value};
+    static constexpr TokenSet behind{TokenKind::colon, TokenKind::comma, TokenKind::dot_dot};
+    return at(TokenKind::kw_case) && open_.back().closer == TokenKind::kw_end_case &&
+           values.contains(peek()) && behind.contains(peek_second()) &&
+           unclosed(TokenKind::kw_end_case) > 0;
+}
+
+void Parser::accept_repeated_case() {
+    if (!at_repeated_case())
+        return;
+    report_unexpected("a CASE label").remove(token().range());
+    --unclosed(TokenKind::kw_end_case);
+    advance();
 }
 
 /// At a label outside of CASE, when an END_CASE waits for it: the head of the statement is missing.
@@ -851,6 +880,8 @@ const ast::Statement* Parser::parse_repeat_statement() {
             report_unexpected("`END_REPEAT`").remove(token().range());
             advance();
         }
+    } else if (at(TokenKind::kw_end_repeat) && peek() == TokenKind::kw_until) {
+        return parse_until_behind_closer(node);
     } else {
         if (at(TokenKind::kw_end_repeat))
             report_missing(DiagnosticId::missing_token, {"`UNTIL` with a condition"});
@@ -861,6 +892,22 @@ const ast::Statement* Parser::parse_repeat_statement() {
                          diagnostics_.back().id == DiagnosticId::missing_closing_word;
     if (missing && node->condition->missing)
         diagnostics_.back().fixes.clear(); // there is no condition to insert
+    return finish(node);
+}
+
+/// `END_REPEAT UNTIL condition`
+const ast::Statement* Parser::parse_until_behind_closer(ast::RepeatStatement* node) {
+    const TextRange closer = token().range();
+    const std::string words(text(at_));
+    Report swapped = report_unexpected("`UNTIL`");
+    close_block(";");
+    advance();
+    node->condition = parse_condition();
+    if (!node->condition->missing && swapped) {
+        swapped.remove(closer);
+        diagnostics_[swapped.index()].fixes.front().edits.push_back(
+            {{previous_end(), previous_end()}, " " + words});
+    }
     return finish(node);
 }
 

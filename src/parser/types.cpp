@@ -20,6 +20,9 @@ constexpr TokenSet words_of_blocks = TokenSet::range(TokenKind::kw_var, TokenKin
                                               TokenKind::kw_end_resource,
                                               TokenKind::end_of_unit};
 
+constexpr TokenSet behind_bounds{TokenKind::right_parenthesis, TokenKind::right_bracket,
+                                 TokenKind::comma};
+
 constexpr TokenSet string_type_names{TokenKind::kw_string, TokenKind::kw_wstring};
 
 bool begins_type(TokenKind kind) noexcept {
@@ -289,15 +292,55 @@ const ast::Subrange* Parser::parse_subrange() {
         node->upper = make_missing<ast::ErrorExpression>();
         return finish(node);
     }
-    node->lower = parse_constant_expression("a bound");
+    if (at_bounds_as_real()) {
+        const std::size_t point = text(at_).find('.');
+        const auto offset = token().offset() + static_cast<std::uint32_t>(point);
+        report_at(at_, DiagnosticId::subrange_needs_two_bounds).insert(offset, ".");
+        auto* both = make<ast::ErrorExpression>();
+        advance();
+        node->lower = finish(both);
+        node->upper = make_missing<ast::ErrorExpression>();
+        return finish(node);
+    }
+    node->lower = at_bounds_with_dash() ? parse_constant() : parse_constant_expression("a bound");
     node->first_token = node->lower->first_token;
-    if (accept(TokenKind::dot_dot)) {
+    if (accept_between_bounds()) {
         node->upper = parse_constant_expression("a bound");
     } else {
         report_missing(DiagnosticId::subrange_needs_two_bounds);
         node->upper = make_missing<ast::ErrorExpression>();
     }
     return finish(node);
+}
+
+/// `[1-3]`
+bool Parser::at_bounds_with_dash() const noexcept {
+    return at(TokenKind::integer) && peek() == TokenKind::minus &&
+           peek_second() == TokenKind::integer &&
+           behind_bounds.contains(tokens_[next(next(next(at_)))].kind());
+}
+
+/// `(0.9)`
+bool Parser::at_bounds_as_real() const noexcept {
+    const std::string_view word = text(at_);
+    return at(TokenKind::real) && behind_bounds.contains(peek()) &&
+           word.find_first_not_of("0123456789.") == word.npos;
+}
+
+/// `..`, or what is written instead of it by mistake.
+bool Parser::accept_between_bounds() {
+    if (at(TokenKind::minus) && peek() == TokenKind::integer) {
+        report_unexpected("`..`").replace(token().range(), "..");
+        advance();
+        return true;
+    }
+    if (!accept(TokenKind::dot_dot))
+        return false;
+    if (at(TokenKind::dot)) {
+        report_unexpected("a bound").remove(token().range());
+        advance();
+    }
+    return true;
 }
 
 // enumerated_specification = ( "(" enumerated_value { "," enumerated_value } ")" )
@@ -618,6 +661,20 @@ const ast::Expression* Parser::parse_enumerated_value() {
     return finish(node);
 }
 
+/// `[1; 2]`, when a value and then `;` or `]` follow in the line.
+bool Parser::accept_semicolon_for_comma() {
+    static constexpr TokenSet behind_value{TokenKind::semicolon, TokenKind::comma,
+                                           TokenKind::right_bracket};
+    const std::uint32_t value = next(at_);
+    const std::uint32_t behind = next(value);
+    if (!at(TokenKind::semicolon) || !on_same_line(at_, behind) ||
+        !behind_value.contains(tokens_[behind].kind()))
+        return false;
+    report_unexpected("`,`").replace(token().range(), ",");
+    advance();
+    return true;
+}
+
 // array_initialization = "[" array_initial_elements { "," array_initial_elements } "]" ;
 const ast::Expression* Parser::parse_array_initialization() {
     const NestingGuard guard(*this);
@@ -630,7 +687,7 @@ const ast::Expression* Parser::parse_array_initialization() {
     ListBuilder<ast::Expression> elements(*this);
     do
         elements.add(parse_array_initial_elements());
-    while (accept(TokenKind::comma) || accept_missing_comma());
+    while (accept(TokenKind::comma) || accept_missing_comma() || accept_semicolon_for_comma());
     if (parentheses)
         close_parenthesis_for_bracket(*parentheses);
     else
