@@ -21,9 +21,6 @@ constexpr TokenSet closers =
              TokenKind::kw_end_if,     TokenKind::kw_end_case,       TokenKind::kw_end_for,
              TokenKind::kw_end_while,  TokenKind::kw_end_repeat};
 
-constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
-                                 TokenKind::kw_end_action};
-
 constexpr TokenSet chart_openers{TokenKind::kw_initial_step, TokenKind::kw_step,
                                  TokenKind::kw_transition, TokenKind::kw_action};
 
