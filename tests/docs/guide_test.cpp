@@ -7,8 +7,6 @@
 namespace iecfront::test {
 namespace {
 
-#if defined(IECFRONT_COMMAND) && !defined(_WIN32)
-
 constexpr std::string_view prompt = "$ ";
 const std::string guide_path = "docs/guide.md";
 
@@ -53,14 +51,6 @@ TEST(Guide, ShowsWhatTheCommandPrints) {
     }
     EXPECT_EQ(guide, anew) << "UPDATE_EXPECT=1 writes the file anew";
 }
-
-#else
-
-TEST(Guide, ShowsWhatTheCommandPrints) {
-    GTEST_SKIP() << "the command is not built";
-}
-
-#endif
 
 } // namespace
 } // namespace iecfront::test
