@@ -33,7 +33,7 @@ TEST(Keywords, AreFoundInAnyCase) {
     }
 }
 
-// Annex C, table C.2, as lexical.md 5.2 expands it, in its order.
+// Annex C, table C.2, written out, in its order.
 TEST(Keywords, AreThoseOfAnnexC) {
     const std::string_view annex_c[] = {"BOOL",
                                         "SINT",
@@ -146,7 +146,7 @@ TEST(Keywords, AreThoseOfAnnexC) {
         EXPECT_NE(keyword_kind(word), TokenKind::identifier) << word;
 }
 
-// Terminals of Annex B that are no keywords (lexical.md 5.5, grammar.md 6.5).
+// Terminals of Annex B that are no keywords.
 TEST(Keywords, WordsOfContextAreIdentifiers) {
     const std::string_view words[] = {
         "LD",  "LDN",  "ST",    "STN", "S",    "R",        "S1",     "R1",       "CLK",  "CU",

@@ -30,7 +30,7 @@ LexedText lexed(const std::string& text, Encoding encoding = Encoding::utf8) {
     return result;
 }
 
-// ---- the table of lexical.md 11 ----------------------------------------------------------------
+// ---- lexical elements of clauses 2.1 and 2.2, right and wrong ----------------------------------
 
 TEST(Lexer, WellFormedExamples) {
     const Row rows[] = {

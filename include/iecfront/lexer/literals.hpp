@@ -81,7 +81,7 @@ struct DirectVariableValue {
     char location = 'M';                  ///< `I`, `Q` or `M`
     char size = 'X';                      ///< `X` (also when not written), `B`, `W`, `D` or `L`
     bool incomplete = false;              ///< `%I*`
-    std::vector<std::uint64_t> hierarchy; ///< the numbers, highest level first (V-3)
+    std::vector<std::uint64_t> hierarchy; ///< the numbers, highest level first (2.4.1.1)
 };
 
 /// The value of a literal of each class; nothing when the text is none of the class, or malformed.

@@ -67,7 +67,7 @@ public:
     [[nodiscard]] constexpr std::uint32_t end() const noexcept { return offset_ + length(); }
     [[nodiscard]] constexpr TextRange range() const noexcept { return {offset(), end()}; }
     /// True when no other token precedes it on its line. Comments do not count; a line end inside a
-    /// comment does not begin a line (A.1.1, 6.4 of the formal syntax).
+    /// comment does not begin a line (A.1.1).
     [[nodiscard]] constexpr bool first_on_line() const noexcept {
         return (rest_ & first_on_line_bit) != 0;
     }
