@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 namespace iecfront {
 namespace {
@@ -18,6 +17,10 @@ constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_trans
 constexpr TokenSet statement_words{TokenKind::kw_if,    TokenKind::kw_case,   TokenKind::kw_for,
                                    TokenKind::kw_while, TokenKind::kw_repeat, TokenKind::kw_return,
                                    TokenKind::kw_exit};
+
+constexpr TokenSet statement_closers{TokenKind::kw_end_if, TokenKind::kw_end_case,
+                                     TokenKind::kw_end_for, TokenKind::kw_end_while,
+                                     TokenKind::kw_end_repeat};
 
 constexpr TokenSet ends{TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
                         TokenKind::kw_end_program,       TokenKind::kw_end_type,
@@ -67,8 +70,19 @@ bool Parser::begins_chart_element(std::uint32_t index) const noexcept {
     return is_keyword(name) && after == TokenKind::colon;
 }
 
+/// True when the line ends in the parentheses behind the operator: `ADD( a`.
+bool Parser::begins_deferred_operation(std::uint32_t index) const noexcept {
+    const std::uint32_t open = next(index);
+    if (tokens_[open].kind() != TokenKind::left_parenthesis || tokens_[open].first_on_line())
+        return false;
+    const std::uint32_t operand = next(open);
+    return !tokens_[operand].first_on_line() && begins_operand(tokens_[operand].kind()) &&
+           tokens_[next(operand)].first_on_line();
+}
+
 /// How the line that begins at token `index` reads. What tells an instruction are two operands in a
-/// row, which ST never has: those of a name and an operand are `application`. What may as well
+/// row, which ST never has. `application` is what a `;` makes a statement: a name and an operand, a
+/// deferred operation, and an operator of both languages that begins the body. What may as well
 /// continue an expression counts behind another instruction only.
 Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const noexcept {
     const bool labelled = tokens_[index].kind() == TokenKind::identifier &&
@@ -86,11 +100,14 @@ Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const n
     if (!common && tokens_[index].kind() != TokenKind::identifier)
         return LineKind::other;
     const bool il_operator = !common && is_il_operator(text(index));
+    if (common && index == at_)
+        return LineKind::application;
     if (common || (il_operator && (alone || sign)))
         return before == LineKind::other ? LineKind::other : LineKind::operation;
     if (il_operator && operand)
         return LineKind::operation;
-    return operand ? LineKind::application : LineKind::other;
+    const bool deferred = il_operator && begins_deferred_operation(index);
+    return operand || deferred ? LineKind::application : LineKind::other;
 }
 
 /// True for the second half of `&N`, which is two tokens.
@@ -103,7 +120,6 @@ bool Parser::ends_operator(std::uint32_t index) const noexcept {
 /// speaks for IL, each `;`, `:=` and statement for ST, and the majority decides, so that one
 /// mistake never turns a whole body into another language.
 BodyLanguage Parser::body_language() const noexcept {
-    constexpr std::int32_t decisive_lead = 10; // a long body need not be looked through
     if (begins_chart_element(at_))
         return BodyLanguage::sequential_function_chart;
     std::int32_t instructions = 0;
@@ -111,11 +127,14 @@ BodyLanguage Parser::body_language() const noexcept {
     std::int32_t chart_words = 0;
     std::uint32_t depth = 0; // of parentheses
     LineKind line = LineKind::operation;
+    bool behind_instruction = false;
+    bool closing_words = false;
     for (std::uint32_t i = at_; !ends.contains(tokens_[i].kind()); i = next(i)) {
         const TokenKind here = tokens_[i].kind();
-        if (here == open_.back().closer || std::abs(instructions - statements) >= decisive_lead)
+        if (here == open_.back().closer)
             break;
         if ((i == at_ || tokens_[i].first_on_line()) && here != TokenKind::right_parenthesis) {
+            behind_instruction = i != at_ && line == LineKind::operation;
             line = line_kind(i, line);
             instructions += line == LineKind::other ? 0 : 1;
         }
@@ -125,7 +144,8 @@ BodyLanguage Parser::body_language() const noexcept {
             if (++chart_words == 2)
                 return BodyLanguage::sequential_function_chart;
         }
-        const bool call = line == LineKind::other && depth == 0 && i > at_ &&
+        closing_words = closing_words || statement_closers.contains(here);
+        const bool call = line == LineKind::other && !behind_instruction && depth == 0 && i > at_ &&
                           tokens_[i - 1].kind() == TokenKind::identifier &&
                           !is_il_operator(text(i - 1)) && !ends_operator(i - 1);
         switch (here) {
@@ -148,8 +168,10 @@ BodyLanguage Parser::body_language() const noexcept {
     }
     if (chart_words > statements + instructions)
         return BodyLanguage::sequential_function_chart;
-    return instructions > statements || statements == 0 ? BodyLanguage::instruction_list
-                                                        : BodyLanguage::structured_text;
+    if (instructions == 0 && statements == 0 && !closing_words)
+        return BodyLanguage::instruction_list;
+    return instructions > statements ? BodyLanguage::instruction_list
+                                     : BodyLanguage::structured_text;
 }
 
 } // namespace iecfront

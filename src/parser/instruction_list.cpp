@@ -928,6 +928,8 @@ const ast::Node* Parser::parse_il_argument() {
         advance();
     }
     node->name = parse_il_argument_name();
+    if (at_line_end())
+        report_line_end();
     if (at(TokenKind::equal))
         report_at(at_, DiagnosticId::equal_for_assignment).replace(token().range(), ":=");
     advance();
@@ -949,7 +951,12 @@ const ast::Identifier* Parser::parse_il_argument_name() {
 const ast::Node* Parser::parse_il_output_argument() {
     auto* node = make<ast::OutputArgument>();
     node->negated = accept(TokenKind::kw_not);
+    const bool after_not = node->negated && at_line_end();
+    if (after_not)
+        report_line_end();
     node->name = parse_il_argument_name();
+    if (at_line_end() && !after_not)
+        report_line_end();
     advance();
     const std::size_t reports = diagnostics_.size();
     node->variable = expect_il_operand("`=>`");

@@ -385,6 +385,7 @@ private:
     [[nodiscard]] BodyLanguage body_language() const noexcept; // body_language.cpp
     enum class LineKind { operation, application, other };
     [[nodiscard]] LineKind line_kind(std::uint32_t index, LineKind before) const noexcept;
+    [[nodiscard]] bool begins_deferred_operation(std::uint32_t index) const noexcept;
     [[nodiscard]] bool ends_operator(std::uint32_t index) const noexcept;
     [[nodiscard]] bool begins_chart_element(std::uint32_t index) const noexcept;
     [[nodiscard]] bool body_begins_in_head() const noexcept;
@@ -502,7 +503,7 @@ private:
     void parse_statements(ListBuilder<ast::Statement>& statements);
     [[nodiscard]] bool at_end_of_statements();
     [[nodiscard]] bool at_split_closer() const noexcept;
-    void skip_stray_word();
+    void skip_stray_word(bool first_in_list);
     [[nodiscard]] bool belongs_to_outer_if() noexcept;
     [[nodiscard]] bool at_misspelt_elsif() const noexcept;
     void open_statement(TokenKind opener, TokenKind closer);

@@ -68,7 +68,7 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
         }
         if (at(statement_closers) || at(other_closers) || at(TokenKind::kw_else) ||
             at(TokenKind::kw_elsif) || at(TokenKind::kw_until) || at_split_closer()) {
-            skip_stray_word();
+            skip_stray_word(statements.empty());
             continue;
         }
         const ast::Statement* statement = nullptr;
@@ -150,8 +150,9 @@ bool Parser::at_split_closer() const noexcept {
            !tokens_[next(at_)].first_on_line();
 }
 
-/// A closing word, or another word inside a statement, of which nothing is open.
-void Parser::skip_stray_word() {
+/// A closing word, or another word inside a statement, of which nothing is open. When it is all
+/// that stands in the list, the empty statement is put in its place.
+void Parser::skip_stray_word(bool first_in_list) {
     const std::uint32_t first = at_;
     const bool after_else =
         open_.back().in_else && (at(TokenKind::kw_else) || at(TokenKind::kw_elsif));
@@ -169,7 +170,12 @@ void Parser::skip_stray_word() {
     }
     if (tokens_[first].kind() != TokenKind::kw_else)
         accept(TokenKind::semicolon);
-    stray.remove(token_range(first, end_));
+    if (first_in_list && at_end_of_statements()) {
+        stray.replace(token_range(first, end_), ";");
+        reported_at_ = at_;
+    } else {
+        stray.remove(token_range(first, end_));
+    }
 }
 
 const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Statement& statement) {
