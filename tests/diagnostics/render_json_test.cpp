@@ -47,7 +47,7 @@ TEST(RenderJson, HasAllMembers) {
         out,
         "{\"file\":\"a\\\"b.st\",\"line\":2,\"column\":9,\"endLine\":2,\"endColumn\":9,"
         "\"offset\":20,\"endOffset\":20,\"code\":\"IEC2002\",\"name\":\"missing-closing-word\","
-        "\"severity\":\"error\",\"class\":\"violation\",\"clause\":\"B.0\","
+        "\"severity\":\"error\",\"class\":\"violation\",\"clause\":\"Annex B\","
         "\"message\":\"`END_IF` is missing: it closes `IF`\","
         "\"labels\":[{\"line\":1,\"column\":6,\"endLine\":1,\"endColumn\":10,"
         "\"offset\":6,\"endOffset\":10,\"message\":\"`IF` begins here\"}],"
