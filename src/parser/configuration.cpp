@@ -214,7 +214,7 @@ TokenKind Parser::misspelt_configuration_word() const noexcept {
 }
 
 void Parser::expect_semicolon_of_configuration() {
-    if (accept(TokenKind::semicolon))
+    if (accept_semicolon())
         return;
     if (at(element_words) || token().first_on_line() || at_library_element_closer()) {
         report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
@@ -271,6 +271,7 @@ void Parser::check_configuration_order(const ast::List<ast::Node>& elements, std
 //                       "PRIORITY" ":=" integer ")" ;
 const ast::TaskConfiguration* Parser::parse_task_configuration() {
     auto* node = make<ast::TaskConfiguration>();
+    const std::size_t reports = diagnostics_.size();
     advance();
     node->name = parse_declared_name("the name of a task");
     if (!at(TokenKind::semicolon) && expect(TokenKind::left_parenthesis)) {
@@ -278,13 +279,14 @@ const ast::TaskConfiguration* Parser::parse_task_configuration() {
         if (!at(TokenKind::right_parenthesis)) {
             do
                 initializations.add(parse_task_initialization());
-            while (accept(TokenKind::comma) || accept_missing_comma());
+            while (accept(TokenKind::comma) || accept_missing_comma(true));
         }
         expect_closing(TokenKind::right_parenthesis);
         node->initializations = initializations.finish();
     }
     finish(node);
-    check_task(*node);
+    if (diagnostics_.size() == reports) // else a part may have been passed over
+        check_task(*node);
     return node;
 }
 
@@ -468,7 +470,10 @@ const ast::Node* Parser::parse_prog_conf_element() {
     connection->variable = variable;
     connection->output = accept(TokenKind::output_arrow);
     check_symbolic_variable(*variable);
-    if (!connection->output)
+    static constexpr TokenSet behind_element{TokenKind::comma, TokenKind::right_parenthesis};
+    if (at(behind_element))
+        report_missing(DiagnosticId::missing_token, {"`:=` with a source, `=>` with a sink,"});
+    else if (!connection->output)
         expect_assign();
     connection->operand = connection->output ? parse_data_sink() : parse_prog_data_source();
     return finish(connection);

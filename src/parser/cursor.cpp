@@ -73,6 +73,26 @@ bool Parser::closes_open_bracket() const noexcept {
     return false;
 }
 
+/// True inside brackets of a statement or declaration that are all closed further on.
+bool Parser::brackets_balance() const noexcept {
+    constexpr std::uint32_t furthest = 200; // bounds the time that a text full of mistakes takes
+    static constexpr TokenSet openers{TokenKind::left_parenthesis, TokenKind::left_bracket};
+    std::int32_t open = 0;
+    for (std::uint32_t i = at_; i > 0 && at_ - i < furthest; --i) {
+        const TokenKind before = tokens_[i - 1].kind();
+        if (before == TokenKind::semicolon)
+            break;
+        open += openers.contains(before) ? 1 : brackets_end.contains(before) ? -1 : 0;
+    }
+    for (std::uint32_t i = at_; i != count_ && i - at_ < furthest && open > 0; i = next(i)) {
+        const TokenKind here = tokens_[i].kind();
+        if (here == TokenKind::semicolon)
+            break;
+        open += openers.contains(here) ? 1 : brackets_end.contains(here) ? -1 : 0;
+    }
+    return open <= 0;
+}
+
 bool Parser::expect(TokenKind expected) {
     if (accept(expected))
         return true;
@@ -81,9 +101,14 @@ bool Parser::expect(TokenKind expected) {
                           !at(TokenKind::semicolon) && on_same_line(at_, next(at_));
     if (intruder) {
         Report unexpected = report_unexpected("`" + words + "`");
-        if (!at(brackets_end))
+        if (!at(brackets_end) && !begins_operand(kind())) // else an operator may be missing
             unexpected.remove(token().range());
         advance();
+        return accept(expected);
+    }
+    if (brackets_end.contains(expected) && !at(brackets_end) && brackets_balance()) {
+        report_unexpected("an operator or `" + words + "`");
+        skip_to(brackets_end | TokenSet{TokenKind::semicolon});
         return accept(expected);
     }
     if (at(brackets_end) && brackets_end.contains(expected) && !closes_open_bracket()) {
@@ -146,15 +171,16 @@ Parser::Report& Parser::Report::also_remove(TextRange range) {
     return *this;
 }
 
-/// With the blank behind it when a blank, or nothing, stands before it: no two blanks are left.
+/// With the blank before it when another one stands behind it: no two blanks are left.
 TextRange Parser::with_blank(TextRange range) const noexcept {
     const auto blank = [this](std::uint32_t offset) {
         return offset < text_.size() && (text_[offset] == ' ' || text_[offset] == '\t');
     };
-    const bool before = range.begin > 0 && blank(range.begin - 1);
     const bool starts_line = range.begin == 0 || text_[range.begin - 1] == '\n';
-    if (blank(range.end) && (before || starts_line))
+    if (blank(range.end) && starts_line)
         ++range.end;
+    else if (blank(range.end) && blank(range.begin - 1))
+        --range.begin;
     return range;
 }
 
@@ -191,7 +217,7 @@ Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
 Parser::Report Parser::report_unexpected(std::string what) {
     Report unexpected =
         report_at(at_, DiagnosticId::unexpected_token, {std::move(what), describe(at_)});
-    if (at(brackets_end))
+    if (at(brackets_end) && !begins_operand_on_line(next(at_)))
         unexpected.remove(token().range());
     return unexpected;
 }

@@ -85,6 +85,11 @@ constexpr TokenSet foreign_keywords =
 
 constexpr TokenSet execution_control{TokenKind::kw_en, TokenKind::kw_eno};
 
+bool is_formal(const ast::Node& argument) noexcept {
+    const auto* input = ast::as<ast::InputArgument>(&argument);
+    return input == nullptr || input->name != nullptr;
+}
+
 } // namespace
 
 unsigned Parser::operator_strength(TokenKind kind) noexcept {
@@ -434,15 +439,16 @@ const ast::Expression* Parser::parse_call(const ast::Expression* callee) {
 ast::List<ast::Node> Parser::parse_arguments() {
     const bool outer = std::exchange(in_condition_, false);
     const std::size_t reports = diagnostics_.size();
-    advance();
+    const std::uint32_t open = advance();
     ListBuilder<ast::Node> arguments(*this);
     // An unfinished call takes no assignment of the next line for an argument.
     const bool unfinished =
         token().first_on_line() && peek() == TokenKind::assign && !argument_list_closes(at_);
     if (!at(TokenKind::right_parenthesis) && !unfinished) {
+        const ast::Node* last = nullptr;
         do
-            arguments.add(parse_argument());
-        while (accept(TokenKind::comma) || accept_missing_comma());
+            arguments.add(last = parse_argument(open));
+        while (accept(TokenKind::comma) || accept_missing_comma(is_formal(*last)));
     }
     static constexpr TokenSet expected{TokenKind::right_parenthesis, TokenKind::right_bracket,
                                        TokenKind::semicolon};
@@ -460,12 +466,12 @@ ast::List<ast::Node> Parser::parse_arguments() {
     return list;
 }
 
-/// Between two arguments or subscripts: something that begins another one follows directly, or
-/// behind a `;`.
-bool Parser::accept_missing_comma() {
+/// Between two elements of a list: something that begins another one follows directly, or behind
+/// a `;`. In a list of `named` elements that is a name.
+bool Parser::accept_missing_comma(bool named) {
     const bool formal = (at(TokenKind::identifier) || at(execution_control)) &&
                         (peek() == TokenKind::assign || peek() == TokenKind::output_arrow);
-    const bool operand = at_expression_start() && !token().first_on_line();
+    const bool operand = at_expression_start() && !token().first_on_line() && !named;
     if (operand || (formal && argument_list_closes(at_))) {
         if (std::exchange(comma_assumed_at_, at_) == at_)
             return false; // the element behind the last one took nothing
@@ -502,7 +508,7 @@ bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
 
 // param_assignment = ( variable_name | "EN" | "ENO" ) ":=" expression
 //                  | [ "NOT" ] ( variable_name | "EN" | "ENO" ) "=>" variable ;
-const ast::Node* Parser::parse_argument() {
+const ast::Node* Parser::parse_argument(std::uint32_t open) {
     const bool negated = at(TokenKind::kw_not) && (peek() == TokenKind::output_arrow ||
                                                    peek_second() == TokenKind::output_arrow);
     if (negated || peek() == TokenKind::output_arrow) {
@@ -530,7 +536,32 @@ const ast::Node* Parser::parse_argument() {
         advance();
     }
     input->value = parse_expression();
+    if (input->name == nullptr && lacks_assign(*input->value, open)) {
+        report_missing(DiagnosticId::missing_token, {"`:=`"}).insert(previous_end(), " :=");
+        input->name = make_identifier_of(input->value->first_token);
+        input->value = parse_expression();
+    }
     return finish(input);
+}
+
+/// Two operands in a row, the first of them a name, in the list of formal arguments that begins
+/// at `open`.
+bool Parser::lacks_assign(const ast::Node& value, std::uint32_t open) const {
+    if (value.kind != ast::NodeKind::variable_name || !begins_operand_on_line(at_))
+        return false;
+    constexpr std::uint32_t furthest = 1000; // bounds the time that a list full of mistakes takes
+    std::uint32_t depth = 1;
+    for (std::uint32_t i = next(open); depth > 0 && i != count_ && i - open < furthest;
+         i = next(i)) {
+        const TokenKind here = tokens_[i].kind();
+        depth += here == TokenKind::left_parenthesis ? 1 : 0;
+        depth -= here == TokenKind::right_parenthesis ? 1 : 0;
+        if (depth == 1 && (here == TokenKind::assign || here == TokenKind::output_arrow))
+            return true;
+        if (here == TokenKind::semicolon)
+            break;
+    }
+    return false;
 }
 
 const ast::Identifier* Parser::parse_argument_name() {
@@ -558,12 +589,8 @@ const ast::Expression* Parser::parse_output_variable() {
 
 /// Formal and non-formal arguments are not mixed (2.5.1.1, Table 19 a).
 void Parser::check_arguments(const ast::List<ast::Node>& arguments) {
-    const auto formal = [](const ast::Node* argument) {
-        const auto* input = ast::as<ast::InputArgument>(argument);
-        return input == nullptr || input->name != nullptr;
-    };
     for (const ast::Node* argument : arguments)
-        if (formal(argument) != formal(arguments.front())) {
+        if (is_formal(*argument) != is_formal(*arguments.front())) {
             report_node(*argument, DiagnosticId::mixed_arguments)
                 .label(LabelId::first_given, arguments.front()->first_token);
             return;

@@ -257,6 +257,7 @@ private:
     [[nodiscard]] bool at_misspelt_closer() const noexcept;
     [[nodiscard]] bool at_split_word(std::string_view closer) const noexcept;
     [[nodiscard]] bool closes_open_bracket() const noexcept;
+    [[nodiscard]] bool brackets_balance() const noexcept;
     [[nodiscard]] bool at_foreign_closer();
     [[nodiscard]] bool at_mismatched_closer();
     /// How many more blocks of this kind begin in the unit than are closed.
@@ -269,6 +270,8 @@ private:
     void skip_to(const TokenSet& stop);
     const ast::ErrorStatement* skip_statement();
     void skip_declaration();
+    [[nodiscard]] bool at_semicolon_look_alike() const noexcept;
+    bool accept_semicolon();
     void expect_semicolon_of_declaration();
     void report_missing_semicolon();
 
@@ -321,6 +324,7 @@ private:
     const ast::TypeSpecification* parse_enumeration_of(const ast::TypeSpecification* base);
     const ast::EnumeratedValueDeclaration* parse_enumerated_value_declaration();
     const ast::TypeSpecification* parse_array_specification();
+    ast::List<ast::Subrange> parse_subranges();
     const ast::TypeSpecification* parse_structure_declaration();
     const ast::Node* parse_structure_element_declaration();
     const ast::Expression* parse_optional_initial_value();
@@ -482,7 +486,7 @@ private:
     [[nodiscard]] bool follows_operator(std::uint32_t index) const noexcept;
     const ast::Expression* parse_call(const ast::Expression* callee);
     ast::List<ast::Node> parse_arguments();
-    const ast::Node* parse_argument();
+    const ast::Node* parse_argument(std::uint32_t open);
     void check_arguments(const ast::List<ast::Node>& arguments);
     const ast::Expression* parse_missing_expression();
     void report_call_of_member(const ast::Expression& callee);
@@ -493,7 +497,8 @@ private:
     [[nodiscard]] bool formal_list_follows() const noexcept;
     [[nodiscard]] std::string spaced(std::string_view meant, TextRange range) const;
     [[nodiscard]] static unsigned operator_strength(TokenKind kind) noexcept;
-    bool accept_missing_comma();
+    bool accept_missing_comma(bool named = false);
+    [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const;
     [[nodiscard]] bool argument_list_closes(std::uint32_t i) const noexcept;
     [[nodiscard]] bool at_expression_start() const noexcept;
     [[nodiscard]] bool at_operand_keyword() const noexcept;
@@ -514,6 +519,7 @@ private:
     const ast::StatementList* parse_else_list();
     const ast::Statement* parse_label_after_else();
     void parse_for_list(ast::ForStatement& loop);
+    bool accept_by();
     [[nodiscard]] bool accept_misspelt_word(TokenKind word);
     const ast::Statement* parse_statement();
     const ast::Statement* parse_misplaced_declarations();
@@ -542,6 +548,7 @@ private:
     [[nodiscard]] bool followed_by_end_if_of(std::uint32_t end,
                                              std::uint32_t opener) const noexcept;
     void expect_word(TokenKind word);
+    [[nodiscard]] bool at_word_of_other_language(TokenKind word) const noexcept;
     [[nodiscard]] bool at_case_label() const noexcept;
     const ast::Statement* parse_for_statement();
     const ast::Statement* parse_loop(ast::ForStatement* node);

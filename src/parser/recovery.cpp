@@ -328,8 +328,26 @@ void Parser::skip_declaration() {
     }
 }
 
-void Parser::expect_semicolon_of_declaration() {
+/// A delimiter that cannot follow a statement or declaration.
+bool Parser::at_semicolon_look_alike() const noexcept {
+    static constexpr TokenSet look_alikes{TokenKind::comma, TokenKind::colon, TokenKind::dot,
+                                          TokenKind::right_parenthesis, TokenKind::right_bracket};
+    return at(look_alikes);
+}
+
+/// A `;`, or at the end of the line another delimiter in its place.
+bool Parser::accept_semicolon() {
     if (accept(TokenKind::semicolon))
+        return true;
+    if (!at_semicolon_look_alike() || token().first_on_line() ||
+        !tokens_[next(at_)].first_on_line())
+        return false;
+    accept_as(TokenKind::semicolon);
+    return true;
+}
+
+void Parser::expect_semicolon_of_declaration() {
+    if (accept_semicolon())
         return;
     if (closer_assumed_ && at(block_words))
         return;

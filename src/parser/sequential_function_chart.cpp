@@ -669,7 +669,7 @@ bool Parser::instructions_follow_colon() const noexcept {
 }
 
 void Parser::expect_semicolon_of_condition() {
-    if (accept(TokenKind::semicolon))
+    if (accept_semicolon())
         return;
     if (at_end_of_chart_element() || token().first_on_line()) {
         report_missing_semicolon();

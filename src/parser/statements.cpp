@@ -180,29 +180,39 @@ void Parser::skip_stray_word(bool first_in_list) {
 
 const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Statement& statement) {
     const bool assumed = std::exchange(closer_assumed_, false);
-    if (accept(TokenKind::semicolon) || assumed || statement.kind == ast::NodeKind::error_statement)
+    if (assumed || statement.kind == ast::NodeKind::error_statement) {
+        accept(TokenKind::semicolon);
+        return nullptr;
+    }
+    if (accept_semicolon())
         return nullptr;
     // On the same line a name begins a statement only when an assignment follows: an operator may
     // just as well be missing.
     const bool statement_follows =
         at_statement_start() && (is_keyword(kind()) || peek() == TokenKind::assign);
-    const bool missing = token().first_on_line() || statement_follows || at(part_words) ||
-                         at(declaration_words) || at_end_of_statements() || at(statement_closers) ||
+    if (at(statement_closers) && !is_open(kind()) && tokens_[end_ - 1].kind() == kind()) {
+        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
+            .remove(token().range());
+        advance();
+        accept(TokenKind::semicolon);
+        return nullptr;
+    }
+    const bool missing = (token().first_on_line() && !at_semicolon_look_alike()) ||
+                         statement_follows || at(part_words) || at(declaration_words) ||
+                         at_end_of_statements() || at(statement_closers) ||
                          at(TokenKind::kw_else) || at(TokenKind::kw_elsif) ||
                          at(TokenKind::kw_until);
     if (missing) {
         report_missing_semicolon();
         return nullptr;
     }
-    static constexpr TokenSet look_alikes{TokenKind::comma, TokenKind::colon, TokenKind::dot};
-    if (at(look_alikes) && tokens_[next(at_)].first_on_line()) {
-        report_unexpected("`;`").replace(token().range(), ";");
-        advance();
-        return nullptr;
-    }
     const bool has_expression = statement.kind == ast::NodeKind::assignment_statement ||
                                 statement.kind == ast::NodeKind::expression_statement;
-    report_unexpected(has_expression ? "an operator or `;`" : "`;`");
+    Report unexpected = report_unexpected(has_expression ? "an operator or `;`" : "`;`");
+    static constexpr TokenSet stray{TokenKind::right_parenthesis, TokenKind::right_bracket};
+    for (std::uint32_t i = at_; stray.contains(tokens_[i].kind()); i = next(i))
+        if (i > at_)
+            unexpected.also_remove(tokens_[i].range());
     const ast::ErrorStatement* rest = skip_statement();
     accept(TokenKind::semicolon);
     return rest;
@@ -860,8 +870,18 @@ void Parser::parse_for_list(ast::ForStatement& loop) {
     }
     expect_word(TokenKind::kw_to);
     loop.to = parse_expression();
-    if (accept(TokenKind::kw_by))
+    if (accept_by())
         loop.by = parse_expression();
+}
+
+/// BY, or STEP as other languages say.
+bool Parser::accept_by() {
+    if (at(TokenKind::kw_step) && begins_operand_on_line(next(at_))) {
+        report_unexpected("`BY`").replace(token().range(), "BY");
+        advance();
+        return true;
+    }
+    return accept(TokenKind::kw_by);
 }
 
 // while_statement = "WHILE" expression "DO" statement_list "END_WHILE" ;
@@ -932,7 +952,7 @@ bool Parser::accept_misspelt_word(TokenKind word) {
 
 /// A word between the parts of a statement, or another such word in its place.
 void Parser::expect_word(TokenKind word) {
-    if (at(part_words) && !at(word) && peek() != word) {
+    if ((at(part_words) && !at(word) && peek() != word) || at_word_of_other_language(word)) {
         report_unexpected("`" + std::string(spelling(word)) + "`")
             .replace(token().range(), std::string(spelling(word)));
         advance();
@@ -944,20 +964,22 @@ void Parser::expect_word(TokenKind word) {
         accept(word);
         return;
     }
-    if (accept_misspelt_word(word) || expect(word))
+    if (accept_misspelt_word(word) || accept(word))
         return;
     // What stands between here and the word on the same line was meant to be part of the head.
-    std::uint32_t i = at_;
-    for (std::uint32_t steps = 0;
-         steps < furthest_on_line && !tokens_[i].first_on_line() && tokens_[i].kind() != word &&
-         tokens_[i].kind() != TokenKind::semicolon && i < count_;
-         ++steps)
-        i = next(i);
-    if (tokens_[i].kind() != word || tokens_[i].first_on_line())
+    const std::uint32_t found = token().first_on_line() ? count_ : find_on_line(word);
+    if (found == count_) {
+        expect(word);
         return;
-    while (at_ < i)
+    }
+    report_unexpected("an operator or `" + std::string(spelling(word)) + "`");
+    while (at_ <= found)
         advance();
-    advance();
+}
+
+/// `IF a : x := 1;` and `FOR i := 1 .. 3 DO`.
+bool Parser::at_word_of_other_language(TokenKind word) const noexcept {
+    return word == TokenKind::kw_to ? at(TokenKind::dot_dot) : at(TokenKind::colon);
 }
 
 } // namespace iecfront

@@ -416,6 +416,18 @@ const ast::TypeSpecification* Parser::parse_array_specification() {
         return parse_too_deep_type();
     auto* node = make<ast::ArraySpecification>();
     advance();
+    if (at(TokenKind::kw_of) || at(TokenKind::semicolon))
+        report_missing(DiagnosticId::missing_token, {"`[` with a subrange"});
+    else
+        node->subranges = parse_subranges();
+    expect(TokenKind::kw_of);
+    node->element_type = parse_type_specification(StructureUse::named);
+    check_element_type(*node->element_type);
+    return finish(node);
+}
+
+// "[" subrange { "," subrange } "]"
+ast::List<ast::Subrange> Parser::parse_subranges() {
     const std::optional<Report> parentheses = accept_parenthesis_for_bracket();
     if (!parentheses)
         expect(TokenKind::left_bracket);
@@ -429,11 +441,7 @@ const ast::TypeSpecification* Parser::parse_array_specification() {
         accept_as(TokenKind::right_bracket);
     else
         expect_closing(TokenKind::right_bracket);
-    expect(TokenKind::kw_of);
-    node->subranges = subranges.finish();
-    node->element_type = parse_type_specification(StructureUse::named);
-    check_element_type(*node->element_type);
-    return finish(node);
+    return subranges.finish();
 }
 
 /// Passes over the token at the cursor, which stands in the place of `meant`.
@@ -550,7 +558,8 @@ const ast::Expression* Parser::parse_initial_value() {
         return parse_array_initialization();
     if (at(TokenKind::left_parenthesis)) {
         if (peek_second() == TokenKind::assign || peek() == TokenKind::assign ||
-            peek() == TokenKind::right_parenthesis)
+            peek() == TokenKind::right_parenthesis ||
+            (peek() == TokenKind::identifier && peek_second() == TokenKind::colon))
             return parse_structure_initialization();
         const TokenKind separator = separator_in_parentheses();
         if (separator == TokenKind::assign)
@@ -731,7 +740,7 @@ const ast::Expression* Parser::parse_structure_initialization() {
     // A parenthesis behind the comma belongs to the list around this one.
     const auto next_element = [this] {
         return !(at(TokenKind::comma) && peek() == TokenKind::left_parenthesis) &&
-               (accept(TokenKind::comma) || accept_missing_comma());
+               (accept(TokenKind::comma) || accept_missing_comma(true));
     };
     do
         elements.add(parse_structure_element_initialization());

@@ -126,6 +126,11 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     const std::uint32_t opener = at_;
     open_block(TokenKind::kw_end_var, opener);
     parse_block_head(*node, place);
+    if (at(block_openers) && kind() == tokens_[opener].kind() && on_same_line(opener, at_)) {
+        report_unexpected("the declaration of a variable").remove(token().range());
+        --unclosed(TokenKind::kw_end_var);
+        advance();
+    }
     ListBuilder<ast::Node> declarations(*this);
     while (!at_end_of_declarations())
         add_in_loop(declarations, [&] { return parse_declaration(*node, place); });
