@@ -46,10 +46,9 @@ template<class Work>
 }
 
 /// The example programs, repeated up to `default_size`.
-[[nodiscard]] std::string example_programs() {
+[[nodiscard]] std::string example_text() {
     std::string once;
-    for (const test::RepositoryFile& file :
-         test::repository_files({"examples"}, {".st", ".il", ".sfc"}))
+    for (const test::RepositoryFile& file : test::example_programs())
         once += file.text;
     std::string text;
     while (!once.empty() && text.size() < default_size)
@@ -83,7 +82,7 @@ void measure(const std::string& name, std::string bytes) {
 
 int main(int count, char** arguments) {
     if (count == 1)
-        measure("example programs", example_programs());
+        measure("example programs", example_text());
     for (int i = 1; i < count; ++i) {
         std::ifstream file(arguments[i], std::ios::binary);
         std::string bytes{std::istreambuf_iterator<char>(file), {}};

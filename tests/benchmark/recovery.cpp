@@ -109,7 +109,7 @@ struct Figures {
 /// The examples, and the cases in which nothing is found.
 [[nodiscard]] std::vector<Text> own_texts() {
     std::vector<Text> texts;
-    for (RepositoryFile& file : repository_files({"examples"}, {".st", ".il", ".sfc"}))
+    for (RepositoryFile& file : example_programs())
         texts.push_back({std::move(file.path), std::move(file.text)});
     for (const CaseFile& file : all_case_files())
         for (const Case& one : file.cases)

@@ -1,5 +1,3 @@
-#include "support/invariants.hpp"
-#include "support/repository_files.hpp"
 
 #include <iecfront/ast/dump.hpp>
 #include <iecfront/ast/visitor.hpp>
@@ -160,17 +158,6 @@ TEST(Parse, GivesTheSameForSharedText) {
     const SourceText source(program("x := 1"));
     EXPECT_TRUE(parse(source) == parse(source));
     EXPECT_EQ(parse(source).source().buffer(), source.buffer());
-}
-
-TEST(Parse, HoldsItsInvariantsOnTheExamples) {
-    const auto files = test::repository_files({"examples/st"}, {".st"});
-    EXPECT_GE(files.size(), 7U);
-    for (const auto& file : files) {
-        const SourceText source(file.text, file.path);
-        EXPECT_EQ(parse(source).diagnostics().size(), count(parse(source), DiagnosticId::pragma))
-            << file.path;
-        test::expect_invariants(source);
-    }
 }
 
 } // namespace

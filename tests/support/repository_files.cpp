@@ -35,6 +35,10 @@ std::vector<RepositoryFile> repository_files(const std::vector<std::string_view>
     return files;
 }
 
+std::vector<RepositoryFile> example_programs() {
+    return repository_files({"examples"}, {".st", ".il", ".iec"});
+}
+
 std::vector<std::string_view> lines_of(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {

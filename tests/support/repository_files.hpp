@@ -17,6 +17,9 @@ struct RepositoryFile {
 repository_files(const std::vector<std::string_view>& folders,
                  const std::vector<std::string_view>& extensions);
 
+/// The programs among the examples, in whichever language.
+[[nodiscard]] std::vector<RepositoryFile> example_programs();
+
 /// The lines of `text` without their ends.
 [[nodiscard]] std::vector<std::string_view> lines_of(std::string_view text);
 
