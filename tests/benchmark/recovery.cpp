@@ -3,6 +3,7 @@
 
 #include "benchmark/recovery_faults.hpp"
 #include "benchmark/recovery_outcome.hpp"
+#include "grammar/formal_syntax.hpp"
 #include "support/case_file.hpp"
 #include "support/repository_files.hpp"
 
@@ -43,8 +44,9 @@ struct Text {
 
 /// Sums over all faults of a kind.
 struct Figures {
+    std::size_t valid = 0; // not counted in the others
     std::size_t faults = 0;
-    std::size_t without_report = 0;
+    std::size_t silent = 0;
     std::size_t reports = 0;
     std::size_t with_one = 0;
     std::size_t located = 0;
@@ -54,11 +56,8 @@ struct Figures {
     std::size_t equal_units = 0;
 
     void add(const Outcome& outcome) {
-        if (outcome.reports.empty()) {
-            ++without_report;
-            return;
-        }
         ++faults;
+        silent += outcome.reports.empty() ? 1 : 0;
         reports += outcome.reports.size();
         with_one += outcome.reports.size() == 1 ? 1 : 0;
         located += outcome.located ? 1 : 0;
@@ -69,8 +68,9 @@ struct Figures {
     }
 
     Figures& operator+=(const Figures& other) {
+        valid += other.valid;
         faults += other.faults;
-        without_report += other.without_report;
+        silent += other.silent;
         reports += other.reports;
         with_one += other.with_one;
         located += other.located;
@@ -133,6 +133,14 @@ struct Figures {
     return texts;
 }
 
+/// True when the text with the fault in it is still of the language. What the parser lets pass may
+/// be one of the silent known differences.
+[[nodiscard]] bool leaves_valid(const Text& text, const TextEdit& fault, const Outcome& outcome) {
+    const std::string faulty = apply_edits(text.bytes, {&fault, 1});
+    const FormalSyntax& syntax = formal_syntax();
+    return syntax.derives(faulty) || (outcome.reports.empty() && syntax.derives_leniently(faulty));
+}
+
 /// Prints what a fault was and what was said about it.
 void show(const Text& text, FaultKind kind, const TextEdit& fault, const Outcome& outcome) {
     const SourceText source(apply_edits(text.bytes, {&fault, 1}), text.name);
@@ -146,8 +154,8 @@ void show(const Text& text, FaultKind kind, const TextEdit& fault, const Outcome
 }
 
 void print_heading() {
-    std::printf("%-22s %7s %7s %8s %9s %8s %11s %7s\n", "fault", "faults", "silent", "reports",
-                "just one", "located", "statements", "units");
+    std::printf("%-22s %7s %7s %7s %8s %9s %8s %11s %7s\n", "fault", "valid", "faults", "silent",
+                "reports", "just one", "located", "statements", "units");
 }
 
 [[nodiscard]] double percent(std::size_t part, std::size_t whole) {
@@ -158,8 +166,8 @@ void print(std::string_view name, const Figures& figures) {
     const double mean = figures.faults == 0 ? 0
                                             : static_cast<double>(figures.reports) /
                                                   static_cast<double>(figures.faults);
-    std::printf("%-22s %7zu %7zu %8.2f %8.1f%% %7.1f%% %10.2f%% %6.2f%%\n",
-                std::string(name).c_str(), figures.faults, figures.without_report, mean,
+    std::printf("%-22s %7zu %7zu %7zu %8.2f %8.1f%% %7.1f%% %10.2f%% %6.2f%%\n",
+                std::string(name).c_str(), figures.valid, figures.faults, figures.silent, mean,
                 percent(figures.with_one, figures.faults), percent(figures.located, figures.faults),
                 percent(figures.equal_statements, figures.statements),
                 percent(figures.equal_units, figures.units));
@@ -198,8 +206,12 @@ public:
 
 private:
     void add(std::size_t kind, const Text& text, const TextEdit& fault, const Outcome& outcome) {
+        if (leaves_valid(text, fault, outcome)) {
+            ++figures_[kind].valid;
+            return;
+        }
         figures_[kind].add(outcome);
-        if (outcome.reports.size() > 1 && shown_[kind] < options_.show) {
+        if (outcome.reports.size() != 1 && shown_[kind] < options_.show) {
             ++shown_[kind];
             show(text, all_fault_kinds[kind], fault, outcome);
         }
