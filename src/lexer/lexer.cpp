@@ -75,6 +75,7 @@ private:
     [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;
     const char* string(const char* begin);
     const char* location(const char* begin);
+    [[nodiscard]] const char* end_behind_inner_quote(const char* end) const;
     const char* number_sign(const char* begin);
     const char* dot(const char* begin);
     const char* slash(const char* begin);
@@ -85,6 +86,7 @@ private:
     const char* pragma(const char* begin);
     const char* stray_pragma_end(const char* begin);
     const char* unexpected(const char* begin);
+    const char* operator_of_other_language(const char* begin);
     const char* typographic_string(const char* begin, const DecodedCharacter& opening);
     const char* look_alike(const char* begin, const DecodedCharacter& character);
     const char* non_ascii(const char* begin);
@@ -591,6 +593,11 @@ const char* Lexer::spaced_literal(TokenKind kind, const char* begin, const char*
     const bool two = !gaps.first.empty() && !gaps.second.empty();
     const TextRange first = gaps.first.empty() ? gaps.second : gaps.first;
     Diagnostic& diagnostic = report(DiagnosticId::white_space_in_literal, first);
+    const bool location =
+        kind == TokenKind::direct_variable || kind == TokenKind::incomplete_location;
+    diagnostic.arguments.emplace_back(location ? "a directly represented variable"
+                                      : kind == TokenKind::enumerated_value ? "an enumerated value"
+                                                                            : "a literal");
     add_replacement(diagnostic, first);
     if (two)
         diagnostic.fixes.front().edits.push_back({gaps.second, {}});
@@ -814,13 +821,39 @@ const char* Lexer::string(const char* begin) {
     const char* const end = extents_.string_end(begin);
     const TokenKind kind =
         *begin == '"' ? TokenKind::double_byte_string : TokenKind::single_byte_string;
+    if (const char* const whole_end = end_behind_inner_quote(end)) {
+        const TextRange inner = range(end - 1, end);
+        Diagnostic& diagnostic = report(DiagnosticId::quote_in_string, inner);
+        diagnostic.arguments.emplace_back(std::string{'$', *begin});
+        add_replacement(diagnostic, inner, std::string{'$', *begin});
+        emit_any(kind, begin, whole_end, true);
+        return whole_end;
+    }
     if (!is_plain_string(view(begin, end)))
         return literal(kind, begin, end);
     emit_any(kind, begin, end);
     return end;
 }
 
+// The end of `'it's'`, when a word that is no keyword adjoins the string that ends at `end`, and
+// the next quote on the line begins no other string; else null.
+const char* Lexer::end_behind_inner_quote(const char* end) const {
+    const char quote = end[-1];
+    if (!is_quote(quote) || !is_word_start(*end) ||
+        keyword_kind(view(end, extents_.word_end(end))) != TokenKind::identifier)
+        return nullptr;
+    const char* const whole_end = extents_.string_end(end - 1);
+    if (whole_end[-1] != quote)
+        return nullptr;
+    for (const char* p = whole_end; p != end_ && class_of(*p) != CharacterClass::line_end; ++p)
+        if (*p == quote && *(p = extents_.string_end(p) - 1) != quote)
+            return nullptr;
+    return whole_end;
+}
+
 const char* Lexer::location(const char* begin) {
+    if (const char* const behind = operator_of_other_language(begin))
+        return behind;
     const char* const end = extents_.location_end(begin + 1);
     const char* const rest = Extents::blanks_end(end);
     const Gaps gaps{range(end, rest), {}};
@@ -1118,8 +1151,54 @@ const char* Lexer::look_alike(const char* begin, const DecodedCharacter& charact
     return end;
 }
 
+namespace {
+
+struct ForeignOperator {
+    char character;
+    TokenKind kind;
+    std::string_view meant;
+};
+constexpr std::array foreign_operators = {
+    ForeignOperator{'!', TokenKind::kw_not, "NOT"},
+    ForeignOperator{'~', TokenKind::kw_not, "NOT"},
+    ForeignOperator{'|', TokenKind::kw_or, "OR"},
+    ForeignOperator{'%', TokenKind::kw_mod, "MOD"},
+};
+
+} // namespace
+
+// `!a`, `~a`, `a | b` and `a % b`, which other languages have. Null when it is none of them.
+const char* Lexer::operator_of_other_language(const char* begin) {
+    const auto* const found =
+        std::ranges::find(foreign_operators, *begin, &ForeignOperator::character);
+    const char* const behind = Extents::blanks_end(begin + 1);
+    if (found == foreign_operators.end() || !has_tokens() || first_on_line_ ||
+        (!is_word_start(*behind) && !is_digit(*behind) && *behind != '('))
+        return nullptr;
+    const bool unary = found->kind == TokenKind::kw_not;
+    const bool adjoins = last_token().end() == offset(begin);
+    // `%` behind blanks and before a word begins what is to be a location.
+    const bool location =
+        *begin == '%' && (is_location(behind) || (!adjoins && behind == begin + 1));
+    if (ends_operand(last_token(), begin) == unary || location)
+        return nullptr;
+    const TextRange where = range(begin, begin + 1);
+    Diagnostic& diagnostic = report(DiagnosticId::foreign_operator, where);
+    diagnostic.arguments = {std::string(1, *begin), std::string(found->meant)};
+    std::string replacement(found->meant);
+    if (!unary && adjoins)
+        replacement.insert(0, " ");
+    if (behind == begin + 1 && *behind != '(')
+        replacement += ' ';
+    add_replacement(diagnostic, where, replacement);
+    emit(found->kind, begin, begin + 1, true);
+    return begin + 1;
+}
+
 // A run of characters that nothing begins with is one token with one report.
 const char* Lexer::unexpected(const char* begin) {
+    if (const char* const end = operator_of_other_language(begin))
+        return end;
     const DecodedCharacter first = extents_.decode(begin);
     if (const char* const end = typographic_string(begin, first))
         return end;

@@ -61,6 +61,7 @@ OperatorRow operator_of_other_languages(std::string_view word) noexcept {
 
 constexpr unsigned weakest = 1;
 constexpr unsigned equality = 4;
+constexpr unsigned relation = 5;
 
 // Keywords that name a standard function as well (2.5.1.5).
 constexpr TokenSet operator_functions{TokenKind::kw_and, TokenKind::kw_or, TokenKind::kw_xor,
@@ -151,6 +152,10 @@ std::string Parser::spaced(std::string_view meant, TextRange range) const {
 /// Precedence climbing over Table 55; all operators associate to the left.
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
     for (;;) {
+        if (at_shift() && minimum <= relation) {
+            left = parse_shift(left);
+            continue;
+        }
         OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
         if (at(TokenKind::identifier))
             row = operator_of_other_languages(text(at_));
@@ -179,6 +184,34 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
         node->right = parse_binary(row.strength + 1);
         left = finish(node);
     }
+}
+
+/// `<<` or `>>`.
+bool Parser::at_shift() const noexcept {
+    return (at(TokenKind::less) || at(TokenKind::greater)) && peek() == kind() && adjoins_next();
+}
+
+/// `a << 2`, which is written `SHL(a, 2)`.
+const ast::Expression* Parser::parse_shift(const ast::Expression* left) {
+    auto* node = make_from<ast::ErrorExpression>(left);
+    const TextRange range = token_range(at_, next(at_) + 1);
+    const std::string function = at(TokenKind::less) ? "SHL" : "SHR";
+    const Report shift = report(DiagnosticId::foreign_operator, range,
+                                {std::string(text_.substr(range.begin, 2)), function + "(...)"});
+    advance();
+    advance();
+    const ast::Expression* right = parse_binary(relation + 1);
+    finish(node);
+    if (right->missing)
+        return node;
+    const TextRange operands = token_range(node->first_token, node->end_token);
+    const std::uint32_t left_end = token_range(left->first_token, left->end_token).end;
+    const bool blank = left_end + 1 == range.begin && text_[left_end] == ' ';
+    diagnostics_[shift.index()].fixes.push_back(
+        {{{{operands.begin, operands.begin}, function + "("},
+          {{blank ? left_end : range.begin, range.end}, ","},
+          {{operands.end, operands.end}, ")"}}});
+    return node;
 }
 
 /// What two delimiters in a row mean that cannot stand so: `< =`, `* *`, `=<` or `===`; end_of_unit
@@ -260,6 +293,8 @@ const ast::Expression* Parser::parse_unary() {
 // primary_expression = constant | enumerated_value | variable | "(" expression ")"
 //                    | function_name "(" param_list ")" ;
 const ast::Expression* Parser::parse_primary() {
+    if (at_assignment_on_new_line())
+        return parse_missing_expression();
     switch (kind()) {
     case TokenKind::identifier: return check_function_call(parse_variable());
     case TokenKind::left_parenthesis: return parse_parenthesized();
@@ -300,9 +335,31 @@ void Parser::report_call_of_member(const ast::Expression& callee) {
                                                               : "a member or a result"});
 }
 
+/// True when an operand is missing at the end of the line before, as an assignment follows.
+bool Parser::at_assignment_on_new_line() const noexcept {
+    if (!token().first_on_line() || in_condition_ ||
+        (!at(TokenKind::identifier) && !at(TokenKind::direct_variable)))
+        return false;
+    std::uint32_t depth = 0; // of brackets
+    std::uint32_t steps = 0;
+    for (std::uint32_t i = next(at_);
+         steps < furthest_on_line && i < count_ && !tokens_[i].first_on_line();
+         i = next(i), ++steps) {
+        const TokenKind here = tokens_[i].kind();
+        if (here == TokenKind::left_bracket)
+            ++depth;
+        else if (here == TokenKind::right_bracket && depth > 0)
+            --depth;
+        else if (depth == 0 && here != TokenKind::dot && here != TokenKind::identifier)
+            return here == TokenKind::assign;
+    }
+    return false;
+}
+
 const ast::Expression* Parser::parse_missing_expression() {
-    if (report_missing(DiagnosticId::missing_expression, {describe(at_)}))
-        diagnostics_.back().range = at_end() ? diagnostics_.back().range : token().range();
+    if (report_missing(DiagnosticId::missing_expression, {describe(at_)}) &&
+        !token().first_on_line() && !at_end())
+        diagnostics_.back().range = token().range();
     return make_missing<ast::ErrorExpression>();
 }
 

@@ -489,6 +489,9 @@ private:
     const ast::Node* parse_argument(std::uint32_t open);
     void check_arguments(const ast::List<ast::Node>& arguments);
     const ast::Expression* parse_missing_expression();
+    [[nodiscard]] bool at_assignment_on_new_line() const noexcept;
+    [[nodiscard]] bool at_shift() const noexcept;
+    const ast::Expression* parse_shift(const ast::Expression* left);
     void report_call_of_member(const ast::Expression& callee);
     const ast::Expression* parse_too_deep_expression();
     const ast::Expression* check_function_call(const ast::Expression* operand);
@@ -528,6 +531,8 @@ private:
     const ast::Statement* parse_simple_statement();
     void expect_assign();
     [[nodiscard]] static bool is_variable(const ast::Expression& expression) noexcept;
+    [[nodiscard]] bool at_compound_assignment() const noexcept;
+    const ast::Statement* parse_compound_assignment(const ast::Expression* variable);
     const ast::Statement* parse_assignment(const ast::Expression* variable);
     const ast::Statement* finish_expression_statement(const ast::Expression* expression,
                                                       std::size_t reports);

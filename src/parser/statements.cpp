@@ -326,6 +326,8 @@ const ast::Statement* Parser::parse_simple_statement() {
                                       TokenKind::equal_equal, TokenKind::output_arrow};
     if (at(assigns))
         return parse_assignment(left);
+    if (at_compound_assignment())
+        return parse_compound_assignment(left);
     if (const auto* call = ast::as<ast::FunctionCall>(left);
         call != nullptr && operator_strength(kind()) == 0)
         return make_invocation(*call);
@@ -361,6 +363,38 @@ const ast::Statement* Parser::parse_assignment(const ast::Expression* variable) 
     expect_assign();
     node->variable = variable;
     node->expression = parse_expression();
+    return finish(node);
+}
+
+/// `+=` and its like, or `++` and `--` at the end of a statement.
+bool Parser::at_compound_assignment() const noexcept {
+    static constexpr TokenSet operators{TokenKind::plus, TokenKind::minus, TokenKind::star,
+                                        TokenKind::slash};
+    if (!at(operators) || !adjoins_next())
+        return false;
+    const bool counts = at(TokenKind::plus) || at(TokenKind::minus);
+    const std::uint32_t second = next(at_);
+    return peek() == TokenKind::equal ||
+           (counts && peek() == kind() &&
+            (peek_second() == TokenKind::semicolon || tokens_[next(second)].first_on_line()));
+}
+
+/// `x += 1` or `x++`, which is written `x := x + 1`.
+const ast::Statement* Parser::parse_compound_assignment(const ast::Expression* variable) {
+    auto* node = make_from<ast::AssignmentStatement>(variable);
+    const TextRange name = token_range(variable->first_token, variable->end_token);
+    const TextRange range = token_range(at_, next(at_) + 1);
+    const bool with_operand = peek() == TokenKind::equal;
+    const std::string meant = ":= " + std::string(text_.substr(name.begin, name.size())) + " " +
+                              std::string(text(at_)) + (with_operand ? "" : " 1");
+    Report compound = report(DiagnosticId::foreign_operator, range,
+                             {std::string(text_.substr(range.begin, range.size())), meant});
+    advance();
+    advance();
+    node->variable = variable;
+    node->expression = with_operand ? parse_expression() : make_missing<ast::ErrorExpression>();
+    if (node->expression->kind != ast::NodeKind::binary_expression)
+        compound.replace(range, range.begin == name.end ? " " + meant : meant);
     return finish(node);
 }
 

@@ -142,11 +142,13 @@ std::optional<std::int64_t> value_of(const iecfront::Unit& unit,
                                      const iecfront::ast::IntegerLiteral& literal) {
     const std::string_view text = unit.text(unit.tokens()[literal.literal_token]);
     const std::optional<iecfront::IntegerValue> value = iecfront::integer_value(text);
-    if (!value || value->overflow || value->magnitude > INT64_MAX)
+    if (!value || value->overflow)
         return std::nullopt;
-    const auto magnitude = static_cast<std::int64_t>(value->magnitude);
     const bool minus = literal.has_sign() && unit.text(literal).front() == '-';
-    return minus != value->negative ? -magnitude : magnitude;
+    const bool negative = minus != value->negative;
+    if (value->magnitude > std::uint64_t{INT64_MAX} + (negative ? 1 : 0))
+        return std::nullopt;
+    return static_cast<std::int64_t>(negative ? 0 - value->magnitude : value->magnitude);
 }
 
 TEST(Embedding, Literals) {
