@@ -8,24 +8,6 @@
 namespace iecfront {
 namespace {
 
-constexpr TokenSet chart_openers{TokenKind::kw_initial_step, TokenKind::kw_step,
-                                 TokenKind::kw_transition, TokenKind::kw_action};
-
-constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
-                                 TokenKind::kw_end_action};
-
-constexpr TokenSet statement_words{TokenKind::kw_if,    TokenKind::kw_case,   TokenKind::kw_for,
-                                   TokenKind::kw_while, TokenKind::kw_repeat, TokenKind::kw_return,
-                                   TokenKind::kw_exit};
-
-constexpr TokenSet statement_closers{TokenKind::kw_end_if, TokenKind::kw_end_case,
-                                     TokenKind::kw_end_for, TokenKind::kw_end_while,
-                                     TokenKind::kw_end_repeat};
-
-constexpr TokenSet ends{TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
-                        TokenKind::kw_end_program,       TokenKind::kw_end_type,
-                        TokenKind::kw_end_configuration, TokenKind::end_of_unit};
-
 // Operators of IL that are operators of ST as well, and can begin a line there, too.
 constexpr TokenSet common_operators{TokenKind::kw_and, TokenKind::kw_or,  TokenKind::kw_xor,
                                     TokenKind::kw_mod, TokenKind::kw_not, TokenKind::ampersand};
@@ -129,7 +111,7 @@ BodyLanguage Parser::body_language() const noexcept {
     LineKind line = LineKind::operation;
     bool behind_instruction = false;
     bool closing_words = false;
-    for (std::uint32_t i = at_; !ends.contains(tokens_[i].kind()); i = next(i)) {
+    for (std::uint32_t i = at_; !unit_ends.contains(tokens_[i].kind()); i = next(i)) {
         const TokenKind here = tokens_[i].kind();
         if (here == open_.back().closer)
             break;

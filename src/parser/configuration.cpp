@@ -10,8 +10,6 @@
 namespace iecfront {
 namespace {
 
-constexpr TokenSet block_openers = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
-
 constexpr TokenSet element_words =
     block_openers | TokenSet{TokenKind::kw_resource,          TokenKind::kw_task,
                              TokenKind::kw_program,           TokenKind::kw_end_resource,

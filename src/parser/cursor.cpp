@@ -7,11 +7,7 @@
 #include <utility>
 
 namespace iecfront {
-namespace {
-
-constexpr TokenSet brackets_end{TokenKind::right_parenthesis, TokenKind::right_bracket};
-
-} // namespace
+namespace {} // namespace
 
 Parser::Parser(std::string_view text, std::span<const Token> tokens, std::uint32_t opener,
                Arena& arena, const ParseOptions& options)
@@ -82,13 +78,13 @@ bool Parser::brackets_balance() const noexcept {
         const TokenKind before = tokens_[i - 1].kind();
         if (before == TokenKind::semicolon)
             break;
-        open += openers.contains(before) ? 1 : brackets_end.contains(before) ? -1 : 0;
+        open += openers.contains(before) ? 1 : closing_brackets.contains(before) ? -1 : 0;
     }
     for (std::uint32_t i = at_; i != count_ && i - at_ < furthest && open > 0; i = next(i)) {
         const TokenKind here = tokens_[i].kind();
         if (here == TokenKind::semicolon)
             break;
-        open += openers.contains(here) ? 1 : brackets_end.contains(here) ? -1 : 0;
+        open += openers.contains(here) ? 1 : closing_brackets.contains(here) ? -1 : 0;
     }
     return open <= 0;
 }
@@ -101,17 +97,17 @@ bool Parser::expect(TokenKind expected) {
                           !at(TokenKind::semicolon) && on_same_line(at_, next(at_));
     if (intruder) {
         Report unexpected = report_unexpected("`" + words + "`");
-        if (!at(brackets_end) && !begins_operand(kind())) // else an operator may be missing
+        if (!at(closing_brackets) && !begins_operand(kind())) // else an operator may be missing
             unexpected.remove(token().range());
         advance();
         return accept(expected);
     }
-    if (brackets_end.contains(expected) && !at(brackets_end) && brackets_balance()) {
+    if (closing_brackets.contains(expected) && !at(closing_brackets) && brackets_balance()) {
         report_unexpected("an operator or `" + words + "`");
-        skip_to(brackets_end | TokenSet{TokenKind::semicolon});
+        skip_to(closing_brackets | TokenSet{TokenKind::semicolon});
         return accept(expected);
     }
-    if (at(brackets_end) && brackets_end.contains(expected) && !closes_open_bracket()) {
+    if (at(closing_brackets) && closing_brackets.contains(expected) && !closes_open_bracket()) {
         report_at(at_, DiagnosticId::unexpected_token, {"`" + words + "`", describe(at_)})
             .replace(token().range(), words);
         advance();
@@ -119,7 +115,7 @@ bool Parser::expect(TokenKind expected) {
     }
     const bool word = is_keyword(expected);
     const bool again =
-        reported_at_ == at_ && brackets_end.contains(expected) && !diagnostics_.empty() &&
+        reported_at_ == at_ && closing_brackets.contains(expected) && !diagnostics_.empty() &&
         diagnostics_.back().id == DiagnosticId::missing_token && !diagnostics_.back().fixes.empty();
     if (again) { // one report for all brackets that are missing in one place
         TextEdit& edit = diagnostics_.back().fixes.front().edits.back();
@@ -217,7 +213,7 @@ Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
 Parser::Report Parser::report_unexpected(std::string what) {
     Report unexpected =
         report_at(at_, DiagnosticId::unexpected_token, {std::move(what), describe(at_)});
-    if (at(brackets_end) && !begins_operand_on_line(next(at_)))
+    if (at(closing_brackets) && !begins_operand_on_line(next(at_)))
         unexpected.remove(token().range());
     return unexpected;
 }

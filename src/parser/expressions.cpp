@@ -84,8 +84,6 @@ constexpr TokenSet foreign_keywords =
              TokenKind::kw_transition,   TokenKind::kw_from,
              TokenKind::kw_action};
 
-constexpr TokenSet execution_control{TokenKind::kw_en, TokenKind::kw_eno};
-
 bool is_formal(const ast::Node& argument) noexcept {
     const auto* input = ast::as<ast::InputArgument>(&argument);
     return input == nullptr || input->name != nullptr;

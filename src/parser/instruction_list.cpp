@@ -87,30 +87,6 @@ constexpr TokenSet operator_tokens{TokenKind::identifier, TokenKind::kw_and, Tok
                                    TokenKind::kw_xor,     TokenKind::kw_mod, TokenKind::kw_not,
                                    TokenKind::ampersand};
 
-constexpr TokenSet library_element_closers{
-    TokenKind::kw_end_type,    TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
-    TokenKind::kw_end_program, TokenKind::kw_end_configuration, TokenKind::end_of_unit};
-
-constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
-                                 TokenKind::kw_end_action};
-
-constexpr TokenSet chart_words{TokenKind::kw_initial_step, TokenKind::kw_step,
-                               TokenKind::kw_transition, TokenKind::kw_action};
-
-constexpr TokenSet block_statements{TokenKind::kw_if, TokenKind::kw_case, TokenKind::kw_for,
-                                    TokenKind::kw_while, TokenKind::kw_repeat};
-
-constexpr TokenSet statement_closers{TokenKind::kw_end_if, TokenKind::kw_end_case,
-                                     TokenKind::kw_end_for, TokenKind::kw_end_while,
-                                     TokenKind::kw_end_repeat};
-
-constexpr TokenSet statement_words =
-    block_statements | TokenSet{TokenKind::kw_return, TokenKind::kw_exit};
-
-constexpr TokenSet declaration_words = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
-
-constexpr TokenSet execution_control{TokenKind::kw_en, TokenKind::kw_eno};
-
 } // namespace
 
 // ---- lines --------------------------------------------------------------------------------------
@@ -203,9 +179,9 @@ void Parser::report_line_ends(const MissingLineEnds& missing) {
 
 /// True when what follows belongs to something that is open further out.
 bool Parser::at_end_of_instructions() noexcept {
-    if (at(library_element_closers))
+    if (at(unit_ends))
         return true;
-    if (at(chart_closers) || at(chart_words))
+    if (at(chart_closers) || at(chart_openers))
         return is_open(TokenKind::kw_end_action) || is_open(TokenKind::kw_end_transition);
     return at(TokenKind::identifier) && begins_line(at_) && at_misspelt_closer() &&
            unclosed(open_.back().closer) > 0;
@@ -385,7 +361,7 @@ const ast::IlOperation* Parser::parse_structured_text_in_il() {
 
 const ast::IlOperation* Parser::parse_il_error_operation() {
     auto* error = make<ast::IlErrorOperation>();
-    if (at(declaration_words)) {
+    if (at(block_openers)) {
         report_at(at_, DiagnosticId::declaration_after_body);
         parse_variable_declarations(place_);
         return finish(error);
@@ -513,7 +489,7 @@ bool Parser::parenthesis_closes(std::uint32_t open) const noexcept {
     std::uint32_t i = open;
     for (std::uint32_t steps = 0; steps < furthest; i = next(i), ++steps) {
         const TokenKind kind = tokens_[i].kind();
-        if (library_element_closers.contains(kind) || chart_closers.contains(kind))
+        if (unit_ends.contains(kind) || chart_closers.contains(kind))
             return false;
         if (kind == TokenKind::left_parenthesis)
             ++depth;

@@ -10,14 +10,10 @@ constexpr TokenSet openers{TokenKind::kw_type,           TokenKind::kw_function,
                            TokenKind::kw_function_block, TokenKind::kw_program,
                            TokenKind::kw_configuration,  TokenKind::kw_var_global};
 
-constexpr TokenSet closers{TokenKind::kw_end_type, TokenKind::kw_end_function,
-                           TokenKind::kw_end_function_block, TokenKind::kw_end_program,
-                           TokenKind::kw_end_configuration};
-
 } // namespace
 
 bool Parser::at_library_element_closer() const noexcept {
-    return at(closers);
+    return at(library_element_closers);
 }
 
 // library = { library_element_declaration } ;
@@ -113,7 +109,7 @@ std::uint32_t Parser::find_misspelt_opener() const noexcept {
     std::uint32_t last = count_;
     while (last > 0 && tokens_[last - 1].kind() == TokenKind::semicolon)
         --last;
-    if (last == 0 || !closers.contains(tokens_[last - 1].kind()))
+    if (last == 0 || !library_element_closers.contains(tokens_[last - 1].kind()))
         return count_;
     std::uint32_t i = at_;
     while (i != count_ && misspelt_opener(i) == TokenKind::end_of_unit)
@@ -134,8 +130,6 @@ void Parser::accept_extra_semicolon() {
 
 /// Before a body, a `;` that no declaration follows is the first statement of the body.
 void Parser::accept_extra_semicolon_before_body() {
-    static constexpr TokenSet block_openers =
-        TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
     std::uint32_t behind = at_;
     while (tokens_[behind].kind() == TokenKind::semicolon && behind - at_ < furthest_on_line)
         behind = next(behind);

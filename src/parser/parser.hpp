@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parser/token_set.hpp"
+#include "parser/keyword_sets.hpp"
 
 #include <iecfront/ast/nodes.hpp>
 #include <iecfront/ast/syntax_tree.hpp>

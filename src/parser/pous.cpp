@@ -3,15 +3,7 @@
 #include <utility>
 
 namespace iecfront {
-namespace {
-
-constexpr TokenSet block_openers = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
-
-constexpr TokenSet library_element_closers{
-    TokenKind::kw_end_type,    TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
-    TokenKind::kw_end_program, TokenKind::kw_end_configuration, TokenKind::end_of_unit};
-
-} // namespace
+namespace {} // namespace
 
 // function_declaration = "FUNCTION" derived_function_name ":"
 //                        ( elementary_type_name | derived_type_name )
@@ -40,15 +32,12 @@ const ast::Identifier* Parser::parse_unit_name(std::string what) {
 
 /// True at a keyword on the line of the head that begins neither a declaration nor a statement.
 bool Parser::at_keyword_for_unit_name() {
-    static constexpr TokenSet statement_words{TokenKind::kw_if, TokenKind::kw_case,
-                                              TokenKind::kw_for, TokenKind::kw_while,
-                                              TokenKind::kw_repeat};
-    if (!is_keyword(kind()) || token().first_on_line() || at(block_openers) ||
-        at(library_element_closers) || begins_chart_element(at_))
+    if (!is_keyword(kind()) || token().first_on_line() || at(block_openers) || at(unit_ends) ||
+        begins_chart_element(at_))
         return false;
     if (tokens_[next(at_)].first_on_line() || block_openers.contains(peek()))
         return true;
-    if (at(statement_words))
+    if (at(block_statements))
         return !opens_block(kind());
     return peek() == TokenKind::identifier || is_keyword(peek());
 }
@@ -80,14 +69,14 @@ void Parser::skip_rest_of_head() {
         accept_extra_semicolon_before_body();
         return;
     }
-    if (token().first_on_line() || at(block_openers) || at(library_element_closers) ||
+    if (token().first_on_line() || at(block_openers) || at(unit_ends) ||
         at_declarations_without_opener() || at_statement_start() || body_begins_in_head())
         return;
     report_unexpected("a declaration block or the body");
-    while (!token().first_on_line() && !at(block_openers) && !at(library_element_closers) &&
+    while (!token().first_on_line() && !at(block_openers) && !at(unit_ends) &&
            !at(TokenKind::semicolon))
         advance();
-    if (at(TokenKind::semicolon) && !library_element_closers.contains(peek())) {
+    if (at(TokenKind::semicolon) && !unit_ends.contains(peek())) {
         while (accept(TokenKind::semicolon)) {
         }
     }
@@ -164,7 +153,7 @@ ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place plac
 // function_body = instruction_list | statement_list ;
 // function_block_body = sequential_function_chart | instruction_list | statement_list ;
 const ast::Body* Parser::parse_body() {
-    if (at(library_element_closers) || at(open_.back().closer) || at_misspelt_closer())
+    if (at(unit_ends) || at(open_.back().closer) || at_misspelt_closer())
         return parse_empty_body();
     const BodyLanguage language = body_language();
     if (language == BodyLanguage::instruction_list)

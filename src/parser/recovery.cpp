@@ -10,27 +10,11 @@
 namespace iecfront {
 namespace {
 
-constexpr TokenSet library_element_closers{
-    TokenKind::kw_end_type, TokenKind::kw_end_function, TokenKind::kw_end_function_block,
-    TokenKind::kw_end_program, TokenKind::kw_end_configuration};
-
-constexpr TokenSet closers =
-    library_element_closers |
-    TokenSet{TokenKind::kw_end_struct, TokenKind::kw_end_var,        TokenKind::kw_end_resource,
-             TokenKind::kw_end_step,   TokenKind::kw_end_transition, TokenKind::kw_end_action,
-             TokenKind::kw_end_if,     TokenKind::kw_end_case,       TokenKind::kw_end_for,
-             TokenKind::kw_end_while,  TokenKind::kw_end_repeat};
-
-constexpr TokenSet chart_openers{TokenKind::kw_initial_step, TokenKind::kw_step,
-                                 TokenKind::kw_transition, TokenKind::kw_action};
+constexpr TokenSet closers = library_element_closers | statement_closers | other_closers;
 
 constexpr TokenSet block_words =
-    closers | TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config) |
+    closers | block_openers |
     TokenSet{TokenKind::kw_else, TokenKind::kw_elsif, TokenKind::kw_until, TokenKind::end_of_unit};
-
-constexpr TokenSet statement_words{TokenKind::kw_if,    TokenKind::kw_case,   TokenKind::kw_for,
-                                   TokenKind::kw_while, TokenKind::kw_repeat, TokenKind::kw_return,
-                                   TokenKind::kw_exit};
 
 struct BlockWords {
     TokenKind opener;
@@ -281,7 +265,7 @@ bool Parser::at_statement_start() const noexcept {
         return true;
     if (at(TokenKind::direct_variable))
         return peek() == TokenKind::assign;
-    if (!at(TokenKind::identifier) && !at(TokenKind::kw_en) && !at(TokenKind::kw_eno))
+    if (!at(TokenKind::identifier) && !at(execution_control))
         return false;
     static constexpr TokenSet after_name{TokenKind::assign, TokenKind::left_parenthesis,
                                          TokenKind::left_bracket, TokenKind::dot};
@@ -330,8 +314,8 @@ void Parser::skip_declaration() {
 
 /// A delimiter that cannot follow a statement or declaration.
 bool Parser::at_semicolon_look_alike() const noexcept {
-    static constexpr TokenSet look_alikes{TokenKind::comma, TokenKind::colon, TokenKind::dot,
-                                          TokenKind::right_parenthesis, TokenKind::right_bracket};
+    static constexpr TokenSet look_alikes =
+        closing_brackets | TokenSet{TokenKind::comma, TokenKind::colon, TokenKind::dot};
     return at(look_alikes);
 }
 

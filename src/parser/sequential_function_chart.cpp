@@ -9,22 +9,6 @@
 namespace iecfront {
 namespace {
 
-constexpr TokenSet library_element_closers{
-    TokenKind::kw_end_type,    TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
-    TokenKind::kw_end_program, TokenKind::kw_end_configuration, TokenKind::end_of_unit};
-
-constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
-                                 TokenKind::kw_end_action};
-
-constexpr TokenSet chart_openers{TokenKind::kw_initial_step, TokenKind::kw_step,
-                                 TokenKind::kw_transition, TokenKind::kw_action};
-
-constexpr TokenSet declaration_words = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
-
-constexpr TokenSet statement_words{TokenKind::kw_if,    TokenKind::kw_case,   TokenKind::kw_for,
-                                   TokenKind::kw_while, TokenKind::kw_repeat, TokenKind::kw_return,
-                                   TokenKind::kw_exit};
-
 TokenKind closer_of(TokenKind opener) noexcept {
     switch (opener) {
     case TokenKind::kw_transition: return TokenKind::kw_end_transition;
@@ -102,7 +86,7 @@ const ast::SfcNetwork* Parser::parse_sfc_network() {
 /// In an action, END_ACTION ends a chart; and so does, when that is missing, what stands where
 /// ACTION stands.
 bool Parser::at_end_of_chart() {
-    if (at(library_element_closers) || at_misspelt_closer())
+    if (at(unit_ends) || at_misspelt_closer())
         return true;
     const OpenBlock& innermost = open_.back();
     if (innermost.closer != TokenKind::kw_end_action)
@@ -170,8 +154,7 @@ TokenKind Parser::missing_chart_word() const noexcept {
         return TokenKind::end_of_unit;
     std::uint32_t i = at_;
     while (!chart_closers.contains(tokens_[i].kind()) &&
-           !chart_openers.contains(tokens_[i].kind()) &&
-           !library_element_closers.contains(tokens_[i].kind()))
+           !chart_openers.contains(tokens_[i].kind()) && !unit_ends.contains(tokens_[i].kind()))
         i = next(i);
     return opener_of(tokens_[i].kind());
 }
@@ -204,8 +187,8 @@ void Parser::open_chart_element(TokenKind opener) {
 
 /// Where an element ends, with its closing word or without.
 bool Parser::at_end_of_chart_element() {
-    return at(chart_closers) || at(library_element_closers) || at_chart_word() ||
-           at_misspelt_closer() || misspelt_chart_word() != TokenKind::end_of_unit ||
+    return at(chart_closers) || at(unit_ends) || at_chart_word() || at_misspelt_closer() ||
+           misspelt_chart_word() != TokenKind::end_of_unit ||
            (at_mismatched_closer() && unclosed(open_.back().closer) > 0);
 }
 
@@ -227,7 +210,7 @@ const ast::SkippedText* Parser::skip_text_in_chart() {
         advance();
         return finish(skipped);
     }
-    if (at(declaration_words)) {
+    if (at(block_openers)) {
         parse_misplaced_declarations();
         return finish(skipped);
     }
@@ -239,7 +222,7 @@ const ast::SkippedText* Parser::skip_text_in_chart() {
     } else {
         do
             skip_balanced();
-        while (!at(declaration_words) && !at_end_of_chart_element());
+        while (!at(block_openers) && !at_end_of_chart_element());
     }
     // An element that was closed too early, or whose first words cannot be read.
     if (at(chart_closers) && !is_open(kind()))
@@ -434,10 +417,9 @@ const ast::Expression* Parser::parse_indicator() {
 const ast::Expression* Parser::parse_parameter_of_action(std::string what) {
     const std::size_t reports = diagnostics_.size();
     const std::uint32_t first = at_;
-    const bool execution_control =
-        (at(TokenKind::kw_en) || at(TokenKind::kw_eno)) && !used_as_name(kind());
+    const bool control = at(execution_control) && !used_as_name(kind());
     const ast::Expression* expression = parse_expression();
-    if (execution_control)
+    if (control)
         report_reserved_word(first);
     if (expression->missing || diagnostics_.size() != reports ||
         expression->kind == ast::NodeKind::variable_name)
@@ -661,7 +643,7 @@ bool Parser::instructions_follow_colon() const noexcept {
         return true;
     while (tokens_[i].kind() != TokenKind::semicolon) {
         if (chart_closers.contains(tokens_[i].kind()) || begins_chart_element(i) ||
-            library_element_closers.contains(tokens_[i].kind()))
+            unit_ends.contains(tokens_[i].kind()))
             return true;
         i = next(i);
     }
@@ -714,7 +696,7 @@ const ast::Action* Parser::parse_action() {
 const ast::Body* Parser::parse_too_deep_body() {
     auto* body = make<ast::StatementList>();
     std::uint32_t depth = 0;
-    while (!at(library_element_closers) && (depth > 0 || !at(TokenKind::kw_end_action))) {
+    while (!at(unit_ends) && (depth > 0 || !at(TokenKind::kw_end_action))) {
         depth += begins_chart_element(at_) && at(TokenKind::kw_action) ? 1 : 0;
         depth -= at(TokenKind::kw_end_action) ? 1 : 0;
         advance();

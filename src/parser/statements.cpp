@@ -9,32 +9,8 @@
 namespace iecfront {
 namespace {
 
-constexpr TokenSet statement_closers{TokenKind::kw_end_if, TokenKind::kw_end_case,
-                                     TokenKind::kw_end_for, TokenKind::kw_end_while,
-                                     TokenKind::kw_end_repeat};
-
-constexpr TokenSet other_closers{TokenKind::kw_end_struct,     TokenKind::kw_end_var,
-                                 TokenKind::kw_end_resource,   TokenKind::kw_end_step,
-                                 TokenKind::kw_end_transition, TokenKind::kw_end_action};
-
-constexpr TokenSet library_element_closers{
-    TokenKind::kw_end_type,    TokenKind::kw_end_function,      TokenKind::kw_end_function_block,
-    TokenKind::kw_end_program, TokenKind::kw_end_configuration, TokenKind::end_of_unit};
-
 // Of what can hold statements.
 constexpr TokenSet inner_closers = statement_closers | TokenSet{TokenKind::kw_end_action};
-
-constexpr TokenSet block_statements{TokenKind::kw_if, TokenKind::kw_case, TokenKind::kw_for,
-                                    TokenKind::kw_while, TokenKind::kw_repeat};
-
-constexpr TokenSet statement_words =
-    block_statements | TokenSet{TokenKind::kw_return, TokenKind::kw_exit};
-
-constexpr TokenSet declaration_words = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
-
-// Words between the parts of a statement.
-constexpr TokenSet part_words{TokenKind::kw_then, TokenKind::kw_do, TokenKind::kw_of,
-                              TokenKind::kw_to, TokenKind::kw_by};
 
 } // namespace
 
@@ -80,7 +56,7 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
 
 /// True when what follows belongs to something that is open further out, or closes this list.
 bool Parser::at_end_of_statements() {
-    if (at(library_element_closers) || at_foreign_closer() || at_chart_structure())
+    if (at(unit_ends) || at_foreign_closer() || at_chart_structure())
         return true;
     const TokenKind innermost = open_.back().closer;
     if (at(statement_closers) || at(other_closers))
@@ -197,11 +173,10 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
         accept(TokenKind::semicolon);
         return nullptr;
     }
-    const bool missing = (token().first_on_line() && !at_semicolon_look_alike()) ||
-                         statement_follows || at(part_words) || at(declaration_words) ||
-                         at_end_of_statements() || at(statement_closers) ||
-                         at(TokenKind::kw_else) || at(TokenKind::kw_elsif) ||
-                         at(TokenKind::kw_until);
+    const bool missing =
+        (token().first_on_line() && !at_semicolon_look_alike()) || statement_follows ||
+        at(part_words) || at(block_openers) || at_end_of_statements() || at(statement_closers) ||
+        at(TokenKind::kw_else) || at(TokenKind::kw_elsif) || at(TokenKind::kw_until);
     if (missing) {
         report_missing_semicolon();
         return nullptr;
@@ -209,8 +184,7 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
     const bool has_expression = statement.kind == ast::NodeKind::assignment_statement ||
                                 statement.kind == ast::NodeKind::expression_statement;
     Report unexpected = report_unexpected(has_expression ? "an operator or `;`" : "`;`");
-    static constexpr TokenSet stray{TokenKind::right_parenthesis, TokenKind::right_bracket};
-    for (std::uint32_t i = at_; stray.contains(tokens_[i].kind()); i = next(i))
+    for (std::uint32_t i = at_; closing_brackets.contains(tokens_[i].kind()); i = next(i))
         if (i > at_)
             unexpected.also_remove(tokens_[i].range());
     const ast::ErrorStatement* rest = skip_statement();
@@ -246,7 +220,7 @@ const ast::Statement* Parser::parse_statement() {
         break;
     default: break;
     }
-    if (at(declaration_words))
+    if (at(block_openers))
         return parse_misplaced_declarations();
     if ((at(TokenKind::identifier) || at_operand_keyword()) && peek() == TokenKind::colon &&
         (is_elementary_type_name(peek_second()) || peek_second() == TokenKind::kw_array)) {
@@ -291,7 +265,7 @@ const ast::Statement* Parser::parse_too_deep_statement() {
         depth += at(block_statements) ? 1 : 0;
         depth -= at(statement_closers) && depth > 0 ? 1 : 0;
         advance();
-    } while (depth > 0 && !at(library_element_closers));
+    } while (depth > 0 && !at(unit_ends));
     return finish(error);
 }
 
@@ -607,8 +581,7 @@ bool Parser::at_else_if_for_elsif() {
     if (at_ < else_if_chain_end_ && else_if_block_ == open_.back().opener)
         return else_if_means_elsif_;
     std::uint32_t end = next(next(at_));
-    for (std::uint32_t depth = 0; !library_element_closers.contains(tokens_[end].kind());
-         end = next(end)) {
+    for (std::uint32_t depth = 0; !unit_ends.contains(tokens_[end].kind()); end = next(end)) {
         if (tokens_[end].kind() == TokenKind::kw_if)
             depth += tokens_[end - 1].kind() == TokenKind::kw_else ? 0 : 1;
         else if (tokens_[end].kind() == TokenKind::kw_end_if && depth-- == 0)
@@ -830,7 +803,7 @@ const ast::Statement* Parser::parse_for_statement() {
         parenthesis.emplace(report_unexpected("a variable").remove(token().range()));
         advance();
     }
-    if (at(TokenKind::kw_en) || at(TokenKind::kw_eno))
+    if (at(execution_control))
         report_reserved_word(at_); // a control variable has a name
     const bool variable = at(TokenKind::identifier) || at_operand_keyword() ||
                           used_as_name(kind()) || at_keyword_for_variable();

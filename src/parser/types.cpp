@@ -9,16 +9,9 @@ namespace {
 constexpr TokenSet integer_type_names = TokenSet::range(TokenKind::kw_sint, TokenKind::kw_ulint);
 
 // Words that go on behind a declaration without a type.
-constexpr TokenSet words_of_blocks = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config) |
-                                     TokenSet{TokenKind::kw_end_var,
-                                              TokenKind::kw_end_struct,
-                                              TokenKind::kw_end_type,
-                                              TokenKind::kw_end_function,
-                                              TokenKind::kw_end_function_block,
-                                              TokenKind::kw_end_program,
-                                              TokenKind::kw_end_configuration,
-                                              TokenKind::kw_end_resource,
-                                              TokenKind::end_of_unit};
+constexpr TokenSet words_of_blocks =
+    block_openers | unit_ends |
+    TokenSet{TokenKind::kw_end_var, TokenKind::kw_end_struct, TokenKind::kw_end_resource};
 
 constexpr TokenSet behind_bounds{TokenKind::right_parenthesis, TokenKind::right_bracket,
                                  TokenKind::comma};

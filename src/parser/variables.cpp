@@ -11,18 +11,10 @@ namespace {
 using ast::BlockQualifier;
 using ast::VariableBlock;
 
-constexpr TokenSet block_openers = TokenSet::range(TokenKind::kw_var, TokenKind::kw_var_config);
-
 constexpr TokenSet ends_of_declarations =
-    block_openers | TokenSet{TokenKind::end_of_unit,     TokenKind::kw_end_var,
-                             TokenKind::kw_end_struct,   TokenKind::kw_end_type,
-                             TokenKind::kw_end_function, TokenKind::kw_end_function_block,
-                             TokenKind::kw_end_program,  TokenKind::kw_end_configuration,
-                             TokenKind::kw_end_resource, TokenKind::kw_if,
-                             TokenKind::kw_case,         TokenKind::kw_for,
-                             TokenKind::kw_while,        TokenKind::kw_repeat,
-                             TokenKind::kw_return,       TokenKind::kw_exit,
-                             TokenKind::kw_initial_step};
+    block_openers | unit_ends | statement_words |
+    TokenSet{TokenKind::kw_end_var, TokenKind::kw_end_struct, TokenKind::kw_end_resource,
+             TokenKind::kw_initial_step};
 
 constexpr TokenSet qualifiers{TokenKind::kw_constant, TokenKind::kw_retain,
                               TokenKind::kw_non_retain};
@@ -370,10 +362,9 @@ void Parser::parse_declared_names(ListBuilder<ast::Identifier>& names,
 
 /// A variable's name in its declaration; EN and ENO have their places (6.1 D23).
 const ast::Identifier* Parser::parse_variable_name(const ast::VariableDeclarations& block) {
-    const bool execution_control =
-        (at(TokenKind::kw_en) && block.block == VariableBlock::var_input) ||
-        (at(TokenKind::kw_eno) && block.block == VariableBlock::var_output);
-    return execution_control ? make_identifier() : parse_declared_name("the name of a variable");
+    const bool control = (at(TokenKind::kw_en) && block.block == VariableBlock::var_input) ||
+                         (at(TokenKind::kw_eno) && block.block == VariableBlock::var_output);
+    return control ? make_identifier() : parse_declared_name("the name of a variable");
 }
 
 // location = "AT" direct_variable ;

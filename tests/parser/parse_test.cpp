@@ -1,4 +1,3 @@
-
 #include <iecfront/ast/dump.hpp>
 #include <iecfront/ast/visitor.hpp>
 #include <iecfront/parser/parse.hpp>
