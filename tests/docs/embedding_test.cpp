@@ -137,6 +137,34 @@ TEST(Embedding, NodeAt) {
     EXPECT_TRUE(iecfront::ast::is<iecfront::ast::VariableName>(path.nodes.back()->kind));
 }
 
+// Which variables does an instruction list write?
+class Written : public iecfront::ast::Visitor<Written> {
+public:
+    explicit Written(const iecfront::Unit& unit) : unit_(unit) {}
+
+    iecfront::ast::Walk visit(const iecfront::ast::IlSimpleOperation& operation) {
+        using enum iecfront::ast::IlOperator;
+        if (operation.op == store || operation.op == set || operation.op == reset)
+            for (const iecfront::ast::Expression* operand : operation.operands)
+                names.emplace_back(unit_.text(*operand));
+        return iecfront::ast::Walk::over;
+    }
+
+    std::vector<std::string> names;
+
+private:
+    const iecfront::Unit& unit_;
+};
+
+TEST(Embedding, InstructionList) {
+    iecfront::SyntaxTree tree =
+        iecfront::parse(iecfront::SourceText("PROGRAM p\nVAR a, b : BOOL; END_VAR\n    LD a\n    "
+                                             "ANDN b\n    ST a\n    S b\nEND_PROGRAM\n"));
+    Written written(*tree.slots()[0].unit);
+    written.traverse(tree.slots()[0].unit->root());
+    EXPECT_EQ(written.names, (std::vector<std::string>{"a", "b"}));
+}
+
 // The value of `16#FF` or `-5`, when it is one that fits.
 std::optional<std::int64_t> value_of(const iecfront::Unit& unit,
                                      const iecfront::ast::IntegerLiteral& literal) {
