@@ -1,3 +1,4 @@
+#include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/literals.hpp>
@@ -50,12 +51,18 @@ constexpr auto operator_table = [] {
     return table;
 }();
 
-/// Operators of later editions that are names in this one.
-OperatorRow operator_of_other_languages(std::string_view word) noexcept {
+/// Operators of later editions that are names in this one, and before an operand misspelt ones.
+OperatorRow operator_of_other_languages(std::string_view word, bool before_operand) noexcept {
     if (names_equal(word, "AND_THEN"))
         return {3, ast::BinaryOperator::logical_and, "AND"};
     if (names_equal(word, "OR_ELSE"))
         return {1, ast::BinaryOperator::logical_or, "OR"};
+    if (before_operand)
+        for (const TokenKind meant : {TokenKind::kw_and, TokenKind::kw_xor, TokenKind::kw_mod})
+            if (is_misspelling(word, spelling(meant))) {
+                const OperatorRow row = operator_row(meant);
+                return {row.strength, row.op, spelling(meant)};
+            }
     return {};
 }
 
@@ -156,7 +163,7 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
         }
         OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
         if (at(TokenKind::identifier))
-            row = operator_of_other_languages(text(at_));
+            row = operator_of_other_languages(text(at_), begins_operand_on_line(next(at_)));
         const bool assign = in_condition_ && at(TokenKind::assign);
         const TokenKind split = in_condition_ && at(TokenKind::output_arrow)
                                     ? TokenKind::greater_equal

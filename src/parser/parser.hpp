@@ -350,6 +350,8 @@ private:
     void report_swapped(std::uint32_t second);
     [[nodiscard]] TokenKind misspelt_qualifier() const noexcept;
     [[nodiscard]] bool at_unknown_qualifier() const noexcept;
+    const ast::Node* parse_type_before_names();
+    void parse_location_behind_type(const ast::VariableDeclaration& declaration);
     const ast::VariableDeclaration* parse_names_only(ast::VariableDeclaration* node);
     void check_block(const ast::VariableDeclarations& block, std::uint32_t qualifier, Place place);
     ast::BlockQualifier parse_block_qualifiers();
@@ -514,6 +516,8 @@ private:
     void skip_stray_word(bool first_in_list);
     [[nodiscard]] bool belongs_to_outer_if() noexcept;
     [[nodiscard]] bool at_misspelt_elsif() const noexcept;
+    [[nodiscard]] bool at_misspelt_else() const noexcept;
+    [[nodiscard]] bool at_misspelt_until() const noexcept;
     void open_statement(TokenKind opener, TokenKind closer);
     [[nodiscard]] TokenKind missing_opener();
     [[nodiscard]] std::uint32_t find_on_line(TokenKind word) const noexcept;
@@ -531,6 +535,7 @@ private:
     const ast::Statement* parse_simple_statement();
     void expect_assign();
     [[nodiscard]] static bool is_variable(const ast::Expression& expression) noexcept;
+    const ast::Statement* as_word_statement(const ast::Expression& name);
     [[nodiscard]] bool at_compound_assignment() const noexcept;
     const ast::Statement* parse_compound_assignment(const ast::Expression* variable);
     const ast::Statement* parse_assignment(const ast::Expression* variable);

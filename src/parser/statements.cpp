@@ -1,6 +1,7 @@
 #include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
+#include <iecfront/lexer/name.hpp>
 #include <iecfront/lexer/standard_names.hpp>
 
 #include <algorithm>
@@ -73,7 +74,8 @@ bool Parser::at_end_of_statements() {
     }
     if (innermost == TokenKind::kw_end_case && (at_case_label() || at_repeated_case()))
         return !open_.back().in_else;
-    if (innermost == TokenKind::kw_end_if && at_misspelt_elsif())
+    if ((innermost == TokenKind::kw_end_if && at_misspelt_elsif()) || at_misspelt_else() ||
+        at_misspelt_until())
         return true;
     // A label inside another statement: that statement is not closed.
     if (token().first_on_line() && is_open(TokenKind::kw_end_case) && at_case_label() &&
@@ -99,6 +101,23 @@ bool Parser::at_misspelt_elsif() const noexcept {
     return at(TokenKind::identifier) && !open_.back().in_else &&
            is_misspelling(text(at_), spelling(TokenKind::kw_elsif)) &&
            find_on_line(TokenKind::kw_then) < count_;
+}
+
+/// `ELS` and the like, on a line of its own or before a statement.
+bool Parser::at_misspelt_else() const noexcept {
+    const TokenKind innermost = open_.back().closer;
+    return at(TokenKind::identifier) && !open_.back().in_else &&
+           (innermost == TokenKind::kw_end_if || innermost == TokenKind::kw_end_case) &&
+           is_misspelling(text(at_), spelling(TokenKind::kw_else)) &&
+           (tokens_[next(at_)].first_on_line() ? !at_statement_start()
+                                               : peek() == TokenKind::identifier);
+}
+
+/// `UNTILL` and the like, with its condition.
+bool Parser::at_misspelt_until() const noexcept {
+    return at(TokenKind::identifier) && open_.back().closer == TokenKind::kw_end_repeat &&
+           is_misspelling(text(at_), spelling(TokenKind::kw_until)) &&
+           begins_operand_on_line(next(at_));
 }
 
 bool Parser::begins_operand_on_line(std::uint32_t index) const noexcept {
@@ -305,6 +324,9 @@ const ast::Statement* Parser::parse_simple_statement() {
     if (const auto* call = ast::as<ast::FunctionCall>(left);
         call != nullptr && operator_strength(kind()) == 0)
         return make_invocation(*call);
+    if (left->kind == ast::NodeKind::variable_name && at(TokenKind::semicolon))
+        if (const ast::Statement* statement = as_word_statement(*left))
+            return statement;
     const bool alone = left->kind == ast::NodeKind::variable_name && !at(TokenKind::semicolon) &&
                        token().first_on_line() && operator_strength(kind()) == 0 &&
                        diagnostics_.size() == reports;
@@ -325,6 +347,28 @@ const ast::Statement* Parser::parse_simple_statement() {
     report_unexpected("`:=` or `(`");
     skip_statement();
     return finish(error);
+}
+
+/// What a lone name is meant for: a misspelt RETURN or EXIT, or a statement of other languages.
+/// Null when it can be meant as a name.
+const ast::Statement* Parser::as_word_statement(const ast::Expression& name) {
+    const std::string word(text(name.first_token));
+    const auto report_misspelt = [&](TokenKind meant) {
+        report_node(name, DiagnosticId::misspelt_word, {word, std::string(spelling(meant))})
+            .replace(tokens_[name.first_token].range(), std::string(spelling(meant)));
+    };
+    if (is_misspelling(word, spelling(TokenKind::kw_return))) {
+        report_misspelt(TokenKind::kw_return);
+        return finish(make_from<ast::ReturnStatement>(&name));
+    }
+    if (is_misspelling(word, spelling(TokenKind::kw_exit)) || names_equal(word, "BREAK")) {
+        report_misspelt(TokenKind::kw_exit);
+        return finish(make_from<ast::ExitStatement>(&name));
+    }
+    if (!names_equal(word, "CONTINUE"))
+        return nullptr;
+    report_node(name, DiagnosticId::not_a_statement, {quoted(name.first_token)});
+    return finish(make_from<ast::ErrorStatement>(&name));
 }
 
 // assignment_statement = variable ":=" expression ;
@@ -473,7 +517,7 @@ const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
     while (open_.back().closer == TokenKind::kw_end_if) {
         if (at(TokenKind::kw_elsif) || at_else_if_for_elsif() || at_misspelt_elsif()) {
             clauses.add(parse_elsif_clause());
-        } else if (at(TokenKind::kw_else)) {
+        } else if (at(TokenKind::kw_else) || at_misspelt_else()) {
             node->else_list = parse_else_list();
             break;
         } else {
@@ -498,7 +542,8 @@ const ast::Statement* Parser::parse_if_without_head() {
 
 // [ "ELSE" statement_list ]
 const ast::StatementList* Parser::parse_else_list() {
-    advance();
+    if (!accept(TokenKind::kw_else))
+        accept_misspelt(TokenKind::kw_else);
     open_.back().in_else = true;
     if (at(TokenKind::colon)) {
         report_unexpected("a statement").remove(token().range());
@@ -633,7 +678,7 @@ const ast::Statement* Parser::parse_case_rest(ast::CaseStatement* node) {
         elements.add(parse_case_element());
     } while (at_case_label() || at_repeated_case() || !at_end_of_statements());
     node->elements = elements.finish();
-    if (at(TokenKind::kw_else))
+    if (at(TokenKind::kw_else) || at_misspelt_else())
         node->else_list = parse_else_list();
     close_block(";");
     return finish(node);
@@ -888,7 +933,8 @@ bool Parser::accept_by() {
         advance();
         return true;
     }
-    return accept(TokenKind::kw_by);
+    return accept(TokenKind::kw_by) ||
+           (begins_operand_on_line(next(at_)) && accept_misspelt_word(TokenKind::kw_by));
 }
 
 // while_statement = "WHILE" expression "DO" statement_list "END_WHILE" ;
@@ -907,7 +953,10 @@ const ast::Statement* Parser::parse_repeat_statement() {
     auto* node = make<ast::RepeatStatement>();
     open_statement(TokenKind::kw_repeat, TokenKind::kw_end_repeat);
     node->statements = parse_statement_list("after REPEAT");
-    if (accept(TokenKind::kw_until)) {
+    const bool misspelt = at_misspelt_until();
+    if (misspelt)
+        accept_misspelt(TokenKind::kw_until);
+    if (misspelt || accept(TokenKind::kw_until)) {
         node->condition = parse_condition();
         if (at(TokenKind::semicolon) && peek() == TokenKind::kw_end_repeat) {
             report_unexpected("`END_REPEAT`").remove(token().range());
@@ -948,7 +997,8 @@ const ast::Statement* Parser::parse_until_behind_closer(ast::RepeatStatement* no
 bool Parser::accept_misspelt_word(TokenKind word) {
     const std::string meant(spelling(word));
     if (!at(TokenKind::identifier) || token().first_on_line() ||
-        !(tokens_[next(at_)].first_on_line() || (meant.size() > 2 && !at_statement_start())) ||
+        !(tokens_[next(at_)].first_on_line() || begins_operand_on_line(next(at_)) ||
+          (meant.size() > 2 && !at_statement_start())) ||
         !is_misspelling(text(at_), meant))
         return false;
     report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})

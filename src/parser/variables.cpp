@@ -307,6 +307,9 @@ const ast::Node* Parser::parse_declaration(const ast::VariableDeclarations& bloc
         return parse_access_declaration(place);
     if (block.block == VariableBlock::var_config)
         return parse_instance_specific_init();
+    if (is_elementary_type_name(kind()) && peek() == TokenKind::identifier &&
+        !tokens_[next(at_)].first_on_line())
+        return parse_type_before_names();
     if (!at(TokenKind::identifier) && !at(TokenKind::kw_at) && !at_declaration_start())
         return parse_error_declaration("the declaration of a variable");
     return parse_variable_declaration(block, place);
@@ -335,11 +338,40 @@ Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place
     node->specification = parse_type_specification();
     if (!edge_first)
         node->edge = parse_optional_edge(block, place, *node->specification);
+    if (at(TokenKind::kw_at) && node->location == nullptr && !node->names.empty())
+        parse_location_behind_type(*node);
     node->initial_value = parse_optional_initial_value();
     finish(node);
     check_declaration(*node, block, place);
     expect_semicolon_of_declaration();
     return node;
+}
+
+/// `INT x, y := 1;`, as other languages declare variables.
+const ast::Node* Parser::parse_type_before_names() {
+    auto* error = make<ast::ErrorDeclaration>();
+    const std::uint32_t type = advance();
+    const std::uint32_t first = at_;
+    do
+        advance();
+    while (accept(TokenKind::comma) && at(TokenKind::identifier));
+    if (at(TokenKind::kw_at))
+        parse_optional_location();
+    const TextRange names = token_range(first, end_);
+    const std::string meant = " : " + std::string(text(type));
+    Report swapped = report(
+        DiagnosticId::not_a_declaration, token_range(type, end_),
+        {"`" + std::string(text_.substr(names.begin, names.size())) + meant + "`",
+         "`" +
+             std::string(text_.substr(tokens_[type].offset(), names.end - tokens_[type].offset())) +
+             "`"});
+    if (at(TokenKind::semicolon) || at(TokenKind::assign)) {
+        swapped.replace({tokens_[type].offset(), names.begin}, {});
+        diagnostics_[swapped.index()].fixes.back().edits.push_back({{names.end, names.end}, meant});
+    }
+    skip_declaration();
+    expect_semicolon_of_declaration();
+    return finish(error);
 }
 
 /// `b c d e;`: words without a colon and a type.
@@ -391,6 +423,24 @@ const ast::Location* Parser::parse_optional_location() {
         node->variable = finish(error);
     }
     return finish(node);
+}
+
+/// `x : BOOL AT %IX1`, which is written `x AT %IX1 : BOOL`.
+void Parser::parse_location_behind_type(const ast::VariableDeclaration& declaration) {
+    const std::uint32_t before = previous_end();
+    const std::uint32_t first = at_;
+    parse_optional_location();
+    const TextRange location = token_range(first, end_);
+    const TextRange all = token_range(declaration.first_token, end_);
+    const std::uint32_t name_end = tokens_[declaration.names.back()->end_token - 1].end();
+    const std::string moved = " " + std::string(text_.substr(location.begin, location.size()));
+    const std::string meant = std::string(text_.substr(all.begin, name_end - all.begin)) + moved +
+                              std::string(text_.substr(name_end, before - name_end));
+    const Report misplaced =
+        report(DiagnosticId::unexpected_token, location,
+               {"`" + meant + "`", "`" + std::string(text_.substr(all.begin, all.size())) + "`"});
+    diagnostics_[misplaced.index()].fixes.push_back(
+        {{{{name_end, name_end}, moved}, {{before, location.end}, {}}}});
 }
 
 // direct_variable = "%" location_prefix size_prefix integer { "." integer } ;

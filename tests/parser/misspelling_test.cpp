@@ -20,5 +20,20 @@ TEST(Misspelling, LeavesOtherNamesAlone) {
     EXPECT_FALSE(is_misspelling(std::string(10'000, 'E'), "END_FUNCTION_BLOCK"));
 }
 
+TEST(Misspelling, TakesTheBeginningOfAClosingWord) {
+    for (const char* word : {"END_CO", "end_conf", "ENDCONFIG", "END_CONFIGURATION"})
+        EXPECT_TRUE(is_abbreviation(word, "END_CONFIGURATION")) << word;
+    for (const char* word : {"END", "END_", "END_C", "END_CONG", "CONF", "END_CONFIGURATIONS", ""})
+        EXPECT_FALSE(is_abbreviation(word, "END_CONFIGURATION")) << word;
+}
+
+TEST(Misspelling, TakesTheInitialsOfAClosingWord) {
+    EXPECT_TRUE(is_abbreviation("END_FB", "END_FUNCTION_BLOCK"));
+    EXPECT_TRUE(is_abbreviation("endfb", "END_FUNCTION_BLOCK"));
+    EXPECT_FALSE(is_abbreviation("END_FB", "END_FUNCTION"));
+    EXPECT_FALSE(is_abbreviation("END_FX", "END_FUNCTION_BLOCK"));
+    EXPECT_FALSE(is_abbreviation(std::string(10'000, 'E'), "END_FUNCTION_BLOCK"));
+}
+
 } // namespace
 } // namespace iecfront
