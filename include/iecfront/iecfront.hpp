@@ -11,6 +11,7 @@
 #include <iecfront/ast/visitor.hpp>
 #include <iecfront/diagnostics/diagnostic.hpp>
 #include <iecfront/diagnostics/render_json.hpp>
+#include <iecfront/diagnostics/render_sarif.hpp>
 #include <iecfront/diagnostics/render_text.hpp>
 #include <iecfront/diagnostics/severity.hpp>
 #include <iecfront/lexer/literals.hpp>

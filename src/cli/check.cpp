@@ -1,11 +1,13 @@
 #include "cli/check_file.hpp"
 #include "cli/commands.hpp"
+#include "cli/explain_pages.hpp"
 #include "cli/output.hpp"
 #include "cli/parallel.hpp"
 #include "cli/platform.hpp"
 #include "cli/progress.hpp"
 
 #include <iecfront/diagnostics/render_json.hpp>
+#include <iecfront/diagnostics/render_sarif.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -50,21 +52,20 @@ public:
         progress_.clear();
         if (findings_.files == 0 && findings_.determination == Determination::no_violations)
             findings_.determination = Determination::incomplete;
-        if (as_json())
-            print_json();
-        else
-            print(summary());
+        switch (settings_.options.format) {
+        case Format::text: print(summary()); break;
+        case Format::json: print_json(); break;
+        case Format::sarif: print_sarif(); break;
+        }
         return status();
     }
 
 private:
-    [[nodiscard]] bool as_json() const { return settings_.options.format == Format::json; }
-
     void take(std::size_t i, const FileReport& report) {
         if (!report.problem.empty())
             take_problem(on_one_line(inputs_[i].name) + ": " + report.problem);
         findings_.add(report.findings);
-        if (as_json()) {
+        if (settings_.options.format != Format::text) {
             diagnostics_ += diagnostics_.empty() || report.text.empty() ? "" : ",\n";
             diagnostics_ += report.text;
         } else if (!report.text.empty()) {
@@ -83,11 +84,19 @@ private:
         findings_.add(nothing);
     }
 
+    // Lines that say which limits were hit.
+    [[nodiscard]] std::vector<std::string> limits() const {
+        std::vector<std::string> lines;
+        for (const DiagnosticId id : findings_.limits)
+            lines.push_back(code_string(id) + " " + std::string(diagnostic_info(id).name));
+        return lines;
+    }
+
     // Lines that say what in this input was left out.
     [[nodiscard]] std::vector<std::string> left_out() const {
         std::vector<std::string> lines = problems_;
-        for (const DiagnosticId id : findings_.limits)
-            lines.push_back(code_string(id) + " " + std::string(diagnostic_info(id).name));
+        for (std::string& line : limits())
+            lines.push_back(std::move(line));
         return lines;
     }
 
@@ -137,6 +146,20 @@ private:
         print(diagnostics_.empty() ? "]}\n" : "\n]}\n");
     }
 
+    void print_sarif() const {
+        SarifRun run{"iecfront", IECFRONT_VERSION, {}, findings_.determination,
+                     problems_,  limits()};
+        for (const DiagnosticId id : findings_.reported)
+            run.rules.push_back({id, std::string(explain_page(code_string(id)))});
+        for (const std::string_view line : never_examined())
+            run.not_examined.emplace_back(line);
+        print(begin_sarif_log(run));
+        print(diagnostics_.empty() ? "" : "\n");
+        print(diagnostics_);
+        print(end_sarif_log());
+        print("\n");
+    }
+
     // What could not be read counts most: it may hold anything.
     [[nodiscard]] Status status() const {
         if (!problems_.empty())
@@ -151,7 +174,7 @@ private:
     Progress progress_;
     Findings findings_;
     std::vector<std::string> problems_;
-    std::string diagnostics_; // JSON
+    std::string diagnostics_; // objects of JSON or SARIF
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "cli/check_file.hpp"
 
 #include <iecfront/diagnostics/render_json.hpp>
+#include <iecfront/diagnostics/render_sarif.hpp>
 #include <iecfront/parser/parse.hpp>
 #include <iecfront/source/line_table.hpp>
 
@@ -39,20 +40,24 @@ namespace {
         const Severity severity = policy.severity(diagnostic.id);
         findings.errors += severity == Severity::error ? 1U : 0U;
         findings.warnings += severity == Severity::warning ? 1U : 0U;
+        if (severity != Severity::allow)
+            findings.reported.insert(diagnostic.id);
         if (diagnostic_info(diagnostic.id).category == DiagnosticClass::limit)
             findings.limits.insert(diagnostic.id);
     }
     return findings;
 }
 
-[[nodiscard]] std::string as_json(const std::vector<Diagnostic>& diagnostics,
-                                  const SourceText& source, const SeverityPolicy& policy) {
+/// Objects of JSON or SARIF with commas between.
+[[nodiscard]] std::string as_objects(const std::vector<Diagnostic>& diagnostics,
+                                     const SourceText& source, const CheckSettings& settings) {
+    const auto render = settings.options.format == Format::sarif ? render_sarif : render_json;
     const LineTable lines(source.bytes());
     std::string out;
     for (const Diagnostic& diagnostic : diagnostics) {
         const std::size_t before = out.size();
         out += out.empty() ? "" : ",\n";
-        if (!render_json(out, diagnostic, policy.severity(diagnostic.id), source, lines))
+        if (!render(out, diagnostic, settings.policy.severity(diagnostic.id), source, lines))
             out.resize(before);
     }
     return out;
@@ -89,6 +94,7 @@ void Findings::add(const Findings& other) {
     errors += other.errors;
     warnings += other.warnings;
     limits.insert(other.limits.begin(), other.limits.end());
+    reported.insert(other.reported.begin(), other.reported.end());
     if (rank(other.determination) > rank(determination))
         determination = other.determination;
 }
@@ -104,9 +110,9 @@ FileReport check_file(const Input& input, const CheckSettings& settings) noexcep
         report.findings = count(diagnostics, settings.policy);
         if (diagnostics.empty())
             return report;
-        report.text = settings.options.format == Format::json
-                          ? as_json(diagnostics, text.source, settings.policy)
-                          : as_text(diagnostics, text.source, settings);
+        report.text = settings.options.format == Format::text
+                          ? as_text(diagnostics, text.source, settings)
+                          : as_objects(diagnostics, text.source, settings);
     } catch (const std::exception& exception) {
         report.problem = exception.what();
     }

@@ -24,7 +24,8 @@ struct Findings {
     std::size_t files = 0; ///< that could be read
     std::size_t errors = 0;
     std::size_t warnings = 0;
-    std::set<DiagnosticId> limits; ///< that were hit, reported or not
+    std::set<DiagnosticId> limits;   ///< that were hit, reported or not
+    std::set<DiagnosticId> reported; ///< each that is found and not allowed
     Determination determination = Determination::no_violations;
 
     /// Puts what was found elsewhere to this.
@@ -34,7 +35,7 @@ struct Findings {
 /// A file, checked.
 struct FileReport {
     std::string problem; ///< why it could not be read; empty when it could
-    std::string text;    ///< its diagnostics: text, or JSON objects with commas between
+    std::string text;    ///< its diagnostics: text, or objects of JSON or SARIF with commas between
     Findings findings;
 };
 

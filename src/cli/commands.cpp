@@ -55,6 +55,12 @@ void set_text_or_json(Options& options, std::string_view value) {
     options.format = choose<Format>("--format", value, formats);
 }
 
+void set_text_json_or_sarif(Options& options, std::string_view value) {
+    constexpr std::array<Choice<Format>, 3> formats = {
+        {{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}}};
+    options.format = choose<Format>("--format", value, formats);
+}
+
 void set_tree_or_json(Options& options, std::string_view value) {
     constexpr std::array<Choice<Format>, 2> formats = {
         {{"tree", Format::text}, {"json", Format::json}}};
@@ -147,7 +153,8 @@ constexpr OptionRow text_or_json_row = {"--format", "text|json", "how to print (
                                         set_text_or_json};
 
 constexpr std::array check_options = {
-    text_or_json_row,
+    OptionRow{"--format", "text|json|sarif", "how to print (default: text); SARIF is 2.1.0",
+              set_text_json_or_sarif},
     OptionRow{"--strict", "", "refuse extensions and reliance on implementation-dependent features",
               set_strict},
     OptionRow{"--warn", "X", "report X as a warning: a code, a name or a class", set_warn},

@@ -12,13 +12,6 @@
 namespace iecfront::cli {
 namespace {
 
-[[nodiscard]] std::string_view page_of(const std::string& code) {
-    for (const ExplainPage& page : explain_pages())
-        if (page.code == code)
-            return page.text;
-    return {};
-}
-
 // What the catalogue knows, for a diagnostic without a page.
 [[nodiscard]] std::string short_page(const DiagnosticInfo& row) {
     return "# " + code_string(row.id) + ": " + std::string(row.name) + "\n\n" +
@@ -28,7 +21,7 @@ namespace {
 }
 
 void explain(const DiagnosticInfo& row) {
-    const std::string_view page = page_of(code_string(row.id));
+    const std::string_view page = explain_page(code_string(row.id));
     print(page.empty() ? short_page(row) : page);
 }
 
@@ -50,6 +43,13 @@ void print_list() {
 }
 
 } // namespace
+
+std::string_view explain_page(std::string_view code) noexcept {
+    for (const ExplainPage& page : explain_pages())
+        if (page.code == code)
+            return page.text;
+    return {};
+}
 
 Status run_explain(const Options& options) {
     if (options.list)

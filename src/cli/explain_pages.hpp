@@ -14,4 +14,7 @@ struct ExplainPage {
 /// All pages, ordered by code. The source is written by the build, see explain_pages.cmake.
 [[nodiscard]] std::span<const ExplainPage> explain_pages() noexcept;
 
+/// The text of the page on `code`; empty when there is none.
+[[nodiscard]] std::string_view explain_page(std::string_view code) noexcept;
+
 } // namespace iecfront::cli

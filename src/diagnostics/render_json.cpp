@@ -1,3 +1,4 @@
+#include "diagnostics/json_writer.hpp"
 #include "diagnostics/place.hpp"
 #include "source/utf8.hpp"
 
@@ -32,46 +33,6 @@ void append_json_character(std::string& out, char32_t code_point) {
         append_escape(out, code_point);
     else
         append_utf8(out, code_point);
-}
-
-/// Writes the members of one object, with commas where they belong.
-class JsonObject {
-public:
-    explicit JsonObject(std::string& out) : out_(out) { out_ += '{'; }
-    void close() { out_ += '}'; }
-
-    void name(std::string_view member) {
-        if (!first_)
-            out_ += ',';
-        first_ = false;
-        out_ += '"';
-        out_ += member;
-        out_ += "\":";
-    }
-    void member(std::string_view member_name, std::string_view text) {
-        name(member_name);
-        append_json_string(out_, text);
-    }
-    void member(std::string_view member_name, std::uint32_t number) {
-        name(member_name);
-        out_ += std::to_string(number);
-    }
-
-private:
-    std::string& out_;
-    bool first_ = true;
-};
-
-/// Writes `[`, what `write` appends for each item, and `]`.
-template<class Items, class Write>
-void append_array(std::string& out, const Items& items, Write write) {
-    out += '[';
-    for (const auto& item : items) {
-        if (out.back() != '[')
-            out += ',';
-        write(item);
-    }
-    out += ']';
 }
 
 class DiagnosticWriter {

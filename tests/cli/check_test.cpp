@@ -1,4 +1,5 @@
 #include "cli/command.hpp"
+#include "support/sarif_faults.hpp"
 
 #include <iecfront/diagnostics/severity.hpp>
 
@@ -182,13 +183,51 @@ TEST_F(CheckCommand, JsonSaysWhatWasLeftOut) {
     EXPECT_EQ((*json)["notExamined"][1].text, "IEC9002 nesting-too-deep");
 }
 
-TEST_F(CheckCommand, JsonIsWellFormedForAnyBytes) {
+TEST_F(CheckCommand, SarifHoldsTheFindingsOfAllFilesAndTheirRules) {
+    write("a.st", bad_program);
+    write("b.st", good_program);
+    write("c.st", extended_program);
+    const JsonValue log =
+        run_json({"check", "--format=sarif", "--warn=extension", "c.st", "b.st", "a.st"});
+    EXPECT_EQ(sarif_faults(log), std::vector<std::string>{});
+    const JsonValue& one = log["runs"][0];
+    EXPECT_EQ(one["properties"]["determination"].text, "violations");
+    ASSERT_EQ(one["results"].items.size(), 2U);
+    EXPECT_EQ(one["results"][0]["level"].text, "warning");
+    EXPECT_EQ(one["results"][1]["ruleId"].text, "IEC2006");
+    ASSERT_EQ(one["tool"]["driver"]["rules"].items.size(), 2U);
+    const JsonValue& rule = one["tool"]["driver"]["rules"][0];
+    EXPECT_EQ(rule["id"].text, "IEC2006");
+    EXPECT_TRUE(rule["help"]["markdown"].text.starts_with("# IEC2006 missing-semicolon\n"));
+    EXPECT_EQ(one["invocations"][0]["toolExecutionNotifications"].items.size(),
+              never_examined().size());
+}
+
+TEST_F(CheckCommand, SarifSaysWhatCouldNotBeRead) {
+    write("deep.st", deep_program);
+    const Outcome outcome =
+        run({"check", "--format=sarif", "--max-nesting=5", "missing.st", "deep.st"});
+    EXPECT_EQ(outcome.status, 2);
+    const std::optional<JsonValue> log = read_json(outcome.out);
+    ASSERT_TRUE(log.has_value()) << outcome.out;
+    EXPECT_EQ(sarif_faults(*log), std::vector<std::string>{});
+    const JsonValue& invocation = (*log)["runs"][0]["invocations"][0];
+    EXPECT_EQ(invocation["executionSuccessful"].text, "false");
+    const JsonValue& notes = invocation["toolExecutionNotifications"];
+    EXPECT_EQ(notes[0]["message"]["text"].text, "missing.st: No such file or directory");
+    EXPECT_EQ(notes[1]["message"]["text"].text, "IEC9002 nesting-too-deep");
+}
+
+TEST_F(CheckCommand, JsonAndSarifAreWellFormedForAnyBytes) {
     std::string bytes;
     for (int i = 0; i < 4096; ++i)
         bytes += static_cast<char>((i * 167 + i / 256) & 0xFF);
     write("x\xFF\"\n.st", bytes);
-    for (const char* encoding : {"utf-8", "iso-8859-1", "windows-1252"})
+    for (const char* encoding : {"utf-8", "iso-8859-1", "windows-1252"}) {
         static_cast<void>(run_json({"check", "--format=json", "--encoding", encoding, "."}));
+        const JsonValue log = run_json({"check", "--format=sarif", "--encoding", encoding, "."});
+        EXPECT_EQ(sarif_faults(log), std::vector<std::string>{});
+    }
 }
 
 // ---- inputs

@@ -41,7 +41,7 @@ TEST_F(Usage, AMistakeIsOneLineAndWhereToFindHelp) {
          "`-1` is no value for `--max-nesting`: a number from 1 to 1000",
          "iecfront check --help"},
         {{"check", "--format", "xml", "x"},
-         "`xml` is no value for `--format`: text or json",
+         "`xml` is no value for `--format`: text, json or sarif",
          "iecfront check --help"},
         {{"check", "--color", "yes", "x"},
          "`yes` is no value for `--color`: auto, always or never",
