@@ -48,23 +48,24 @@ std::string uri_of(const std::string& name) {
 TEST(RenderSarif, GivesAResultWithAllThatADiagnosticHas) {
     const SourceText source("IF a\nx:=1", "src/a b.st");
     const std::string artifact = R"({"uri":"src/a%20b.st","uriBaseId":"%SRCROOT%"})";
-    EXPECT_EQ(
-        result_of(missing_closer(), source),
-        R"({"ruleId":"IEC2002","level":"error","message":{"text":"`END_IF` is missing: it closes `IF`"},)"
+    const std::string expected =
+        R"({"ruleId":"IEC2002","level":"error",)"
+        R"("message":{"text":"`END_IF` is missing: it closes `IF`"},)"
         R"("locations":[{"physicalLocation":{"artifactLocation":)" +
-            artifact +
-            R"(,"region":{"startLine":2,"startColumn":5,"endLine":2,"endColumn":5}}}],)"
-            R"("relatedLocations":[{"physicalLocation":{"artifactLocation":)" +
-            artifact +
-            R"(,"region":{"startLine":1,"startColumn":1,"endLine":1,"endColumn":3}},)"
-            R"("message":{"text":"`IF` begins here"}}],)"
-            R"("fixes":[{"description":{"text":"remove `a` and insert `END_IF;`"},"artifactChanges":[)"
-            R"({"artifactLocation":)" +
-            artifact +
-            R"(,"replacements":[{"deletedRegion":)"
-            R"({"startLine":1,"startColumn":4,"endLine":1,"endColumn":5}},)"
-            R"({"deletedRegion":{"startLine":2,"startColumn":5,"endLine":2,"endColumn":5},)"
-            R"("insertedContent":{"text":"\nEND_IF;"}}]}]}]})");
+        artifact +
+        R"(,"region":{"startLine":2,"startColumn":5,"endLine":2,"endColumn":5}}}],)"
+        R"("relatedLocations":[{"physicalLocation":{"artifactLocation":)" +
+        artifact +
+        R"(,"region":{"startLine":1,"startColumn":1,"endLine":1,"endColumn":3}},)"
+        R"("message":{"text":"`IF` begins here"}}],)"
+        R"("fixes":[{"description":{"text":"remove `a` and insert `END_IF;`"},)"
+        R"("artifactChanges":[{"artifactLocation":)" +
+        artifact +
+        R"(,"replacements":[{"deletedRegion":)"
+        R"({"startLine":1,"startColumn":4,"endLine":1,"endColumn":5}},)"
+        R"({"deletedRegion":{"startLine":2,"startColumn":5,"endLine":2,"endColumn":5},)"
+        R"("insertedContent":{"text":"\nEND_IF;"}}]}]}]})";
+    EXPECT_EQ(result_of(missing_closer(), source), expected);
 }
 
 TEST(RenderSarif, LeavesOutWhatIsAllowed) {
