@@ -180,8 +180,21 @@ TextRange Parser::with_blank(TextRange range) const noexcept {
     return range;
 }
 
+bool Parser::holds(const std::vector<Diagnostic>& reports, const Diagnostic& report) noexcept {
+    return std::any_of(reports.begin(), reports.end(), [&](const Diagnostic& one) {
+        return one.id == report.id && one.range == report.range &&
+               one.labels.size() >= report.labels.size();
+    });
+}
+
 Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments arguments) {
     diagnostics_.push_back({id, range, std::move(arguments), {}, {}});
+    // An empty list of statements may still be taken for a part of another mistake.
+    if (expected_ != nullptr && !stopped_at_ && id != DiagnosticId::empty_statement_list &&
+        !holds(*expected_, diagnostics_.back())) {
+        stopped_at_ = at_;
+        at_ = end_ = count_;
+    }
     return {*this, diagnostics_.size() - 1};
 }
 

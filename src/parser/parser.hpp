@@ -52,6 +52,14 @@ public:
 
     [[nodiscard]] std::vector<Diagnostic> take_diagnostics() { return std::move(diagnostics_); }
 
+    /// Goes to the end as soon as a report is made that `expected` does not hold: what is read then
+    /// is of no use.
+    void expect_reports(const std::vector<Diagnostic>& expected) noexcept { expected_ = &expected; }
+    [[nodiscard]] static bool holds(const std::vector<Diagnostic>& reports,
+                                    const Diagnostic& report) noexcept;
+    /// Where that was; nothing when all reports were expected.
+    [[nodiscard]] std::optional<std::uint32_t> stopped_at() const noexcept { return stopped_at_; }
+
 private:
     // ---- cursor.cpp: tokens ---------------------------------------------------------------------
     [[nodiscard]] TokenKind kind() const noexcept { return tokens_[at_].kind(); }
@@ -220,7 +228,8 @@ private:
     [[nodiscard]] TextRange with_blank(TextRange range) const noexcept;
     /// True when a character that was reported as having no meaning stands before the token.
     [[nodiscard]] bool follows_unknown(std::uint32_t token) const noexcept {
-        return token > 0 && tokens_[token - 1].kind() == TokenKind::unknown;
+        return token > 0 && tokens_[token - 1].kind() == TokenKind::unknown &&
+               tokens_[token - 1].malformed();
     }
     /// The token in backticks, or in words.
     [[nodiscard]] std::string describe(std::uint32_t index) const;
@@ -667,6 +676,8 @@ private:
     const ParseOptions& options_;
     std::vector<const ast::Node*> pending_;
     std::vector<Diagnostic> diagnostics_;
+    const std::vector<Diagnostic>* expected_ = nullptr; // see expect_reports()
+    std::optional<std::uint32_t> stopped_at_;
     std::vector<OpenBlock> open_;
 
     struct ReservedWord {

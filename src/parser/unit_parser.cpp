@@ -2,9 +2,11 @@
 
 #include "lexer/encoding_check.hpp"
 #include "parser/parser.hpp"
+#include "parser/repair.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace iecfront {
@@ -35,9 +37,7 @@ public:
         if (auto broken = check_encoding(parts.text, parts.encoding))
             parts.diagnostics.push_back(std::move(*broken));
 
-        Parser parser(parts.text, tokens, opener, parts.arena, options_);
-        parts.root = parser.parse_fragment(options_.read_as);
-        append_sorted(parts.diagnostics, parser.take_diagnostics());
+        parse({parts.text, tokens, opener, options_}, parts);
         begin_ = end;
         return std::make_shared<const Unit>(std::move(parts));
     }
@@ -101,6 +101,17 @@ private:
             return false;
         const auto character = std::get<char32_t>(diagnostic.arguments.front());
         return character < U' ' || character == U'\x7F';
+    }
+
+    /// Makes the tree. Where a single token is out of place, it is that of the repaired text.
+    static void parse(const ParserInput& input, Unit::Parts& parts) {
+        Parser parser(input.text, input.tokens, input.opener, parts.arena, input.options);
+        Reading reading{parser.parse_fragment(input.options.read_as), {}};
+        reading.reports = parser.take_diagnostics();
+        if (std::optional<Reading> repaired = repair(input, reading.reports, parts.arena))
+            reading = std::move(*repaired);
+        parts.root = reading.root;
+        append_sorted(parts.diagnostics, std::move(reading.reports));
     }
 
     static void append_sorted(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {

@@ -104,8 +104,8 @@ TextEdit FaultMaker::edit(FaultKind kind, TextRange place) {
     case FaultKind::drop_line:
     case FaultKind::remove_closing_word: return {place, {}};
     case FaultKind::double_token: return {end, ' ' + std::string(present)};
-    case FaultKind::replace_token: return {place, other_token(present)};
-    case FaultKind::insert_token: return {end, ' ' + other_token({})};
+    case FaultKind::replace_token: return {place, apart(place, other_token(present))};
+    case FaultKind::insert_token: return {end, ' ' + apart(end, other_token({}))};
     case FaultKind::cut_file: return {range_of(place.end, text_.size() - place.end), {}};
     case FaultKind::misspell_closing_word: {
         // A letter behind `END_`, so that the word is recognised for what it was.
@@ -118,6 +118,18 @@ TextEdit FaultMaker::edit(FaultKind kind, TextRange place) {
     case FaultKind::unclosed_string: return {range_of(place.end - 1, 1), {}};
     }
     return {};
+}
+
+std::string FaultMaker::apart(TextRange place, std::string token) const {
+    const auto is_blank = [this](std::size_t at) {
+        constexpr std::string_view blanks = " \t\r\n";
+        return at >= text_.size() || blanks.find(text_[at]) != blanks.npos;
+    };
+    if (!place.empty() && place.begin > 0 && !is_blank(place.begin - 1))
+        token.insert(0, " ");
+    if (!is_blank(place.end))
+        token += ' ';
+    return token;
 }
 
 std::string FaultMaker::other_token(std::string_view present) {

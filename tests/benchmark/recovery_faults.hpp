@@ -56,6 +56,8 @@ private:
     }
     [[nodiscard]] std::vector<TextRange> places(FaultKind kind) const;
     [[nodiscard]] TextEdit edit(FaultKind kind, TextRange place);
+    /// With blanks around it, so that it makes no other token with its neighbours in that place.
+    [[nodiscard]] std::string apart(TextRange place, std::string token) const;
     [[nodiscard]] std::string other_token(std::string_view present);
     [[nodiscard]] std::string other_closing_word(std::string_view present);
 

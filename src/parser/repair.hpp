@@ -1,0 +1,38 @@
+#pragma once
+
+#include <iecfront/ast/nodes.hpp>
+#include <iecfront/ast/syntax_tree.hpp>
+#include <iecfront/ast/unit.hpp>
+#include <iecfront/diagnostics/diagnostic.hpp>
+#include <iecfront/lexer/token.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace iecfront {
+
+/// What the parser reads of a unit.
+struct ParserInput {
+    std::string_view text;
+    std::span<const Token> tokens; // the last one is end_of_unit
+    std::uint32_t opener;
+    const ParseOptions& options;
+};
+
+/// What it makes of it.
+struct Reading {
+    const ast::LibraryUnit* root;
+    std::vector<Diagnostic> reports;
+};
+
+/// Looks for a token that explains several of `reports`, which the parser made, at once: when it is
+/// passed over or taken for another one, they are not made, and no new one. Gives what is read
+/// then, with a report about that token, and nothing when there is no such token. Makes nodes in
+/// `arena`.
+[[nodiscard]] std::optional<Reading> repair(const ParserInput& input,
+                                            const std::vector<Diagnostic>& reports, Arena& arena);
+
+} // namespace iecfront
