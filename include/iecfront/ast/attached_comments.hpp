@@ -18,7 +18,8 @@ struct AttachedComments {
     std::span<const Trivia> behind;
 };
 
-/// The comments of a node of `unit`, with at least one token. Pragmas do not count as comments.
+/// The comments of `node`, a node of `unit` with at least one token. The spans live as long as the
+/// unit. Pragmas do not count as comments.
 [[nodiscard]] IECFRONT_API AttachedComments attached_comments(const Unit& unit,
                                                               const ast::Node& node);
 

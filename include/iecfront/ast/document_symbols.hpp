@@ -36,10 +36,10 @@ enum class SymbolKind : std::uint8_t {
 
 /// A declaration, for an outline.
 struct DocumentSymbol {
-    SymbolKind kind{};
+    SymbolKind kind{};     ///< what is declared
     std::string_view name; ///< a view into the unit; empty when the name is missing
     TextRange range;       ///< of the declaration; of `a, b : INT` for each of its names
-    TextRange name_range;
+    TextRange name_range;  ///< of the name, inside `range`
     std::vector<DocumentSymbol> children; ///< what is declared inside, in source order
 };
 

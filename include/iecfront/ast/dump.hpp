@@ -28,6 +28,8 @@ namespace iecfront {
 ///     assignment_statement 3:1-3:7
 ///       variable: variable_name "x" 3:1-3:2
 ///       expression: integer_literal "1" 3:6-3:7
+///
+/// Both numbers are 1-based, and columns count code points.
 [[nodiscard]] IECFRONT_API std::string dump_tree(const SyntaxTree& tree);
 
 /// The tree as one JSON object, `{"file": "tank.st", "units": [{"kind": "library_unit", "offset":

@@ -19,7 +19,7 @@ enum class FoldingKind : std::uint8_t {
 struct FoldingRange {
     std::uint32_t first_line = 1; ///< 1-based
     std::uint32_t last_line = 1;  ///< 1-based, above `first_line`
-    FoldingKind kind{};
+    FoldingKind kind{};           ///< for editors that treat comments in a way of their own
 
     friend constexpr bool operator==(FoldingRange, FoldingRange) noexcept = default;
 };

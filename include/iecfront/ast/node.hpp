@@ -39,9 +39,9 @@ inline constexpr std::size_t node_kind_count =
 /// directly before token `first_token`.
 struct Node {
     NodeKind kind;
-    bool missing = false; ///< nothing in the source stands for this mandatory node
-    std::uint32_t first_token = 0;
-    std::uint32_t end_token = 0; ///< one past the last token
+    bool missing = false;          ///< nothing in the source stands for this mandatory node
+    std::uint32_t first_token = 0; ///< index in `Unit::tokens()`
+    std::uint32_t end_token = 0;   ///< one past the last token
 
     Node(const Node&) = delete;
     Node& operator=(const Node&) = delete;
@@ -112,13 +112,16 @@ public:
     constexpr List() = default;
     constexpr List(const T* const* data, std::uint32_t size) noexcept : data_(data), size_(size) {}
 
+    /// Pointers to children, for `for (const T* child : list)`.
     [[nodiscard]] constexpr const T* const* begin() const noexcept { return data_; }
     [[nodiscard]] constexpr const T* const* end() const noexcept { return data_ + size_; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
     [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+    /// The child at `index < size()`.
     [[nodiscard]] constexpr const T* operator[](std::size_t index) const noexcept {
         return data_[index];
     }
+    /// The first and the last child, of a list that is not empty.
     [[nodiscard]] constexpr const T* front() const noexcept { return data_[0]; }
     [[nodiscard]] constexpr const T* back() const noexcept { return data_[size_ - 1]; }
 

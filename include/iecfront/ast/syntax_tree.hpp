@@ -44,9 +44,9 @@ class IECFRONT_API SyntaxTree {
 public:
     /// Where a unit stands in the file.
     struct Slot {
-        std::uint32_t offset = 0;     ///< of the unit's first byte, from the start of the file
-        std::uint32_t first_line = 0; ///< 0-based line that holds that byte
-        std::shared_ptr<const Unit> unit;
+        std::uint32_t offset = 0;         ///< of the unit's first byte, from the start of the file
+        std::uint32_t first_line = 0;     ///< 0-based line that holds that byte
+        std::shared_ptr<const Unit> unit; ///< never null
 
         /// What `Unit::range` gives, counted from the start of the file.
         [[nodiscard]] TextRange range(const ast::Node& node) const noexcept {
@@ -62,22 +62,27 @@ public:
     /// The units in file order, at least one. They tile the file byte for byte.
     [[nodiscard]] std::span<const Slot> slots() const noexcept { return *slots_; }
 
+    /// What diagnostics call the file: the name of the `SourceText`.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    /// That of the `SourceText`.
     [[nodiscard]] Encoding encoding() const noexcept { return encoding_; }
     /// Bytes in the file.
     [[nodiscard]] std::uint32_t size() const noexcept { return size_; }
     /// The text in this version of the file. Shared with the text that was parsed; put together
     /// anew at each call for a tree that was edited.
     [[nodiscard]] SourceText source() const;
+    /// What the text was read with; `edited` reads with the same.
     [[nodiscard]] const ParseOptions& options() const noexcept { return options_; }
 
-    /// The slot whose unit holds the byte at `offset` of the file; at the end of text the last one.
+    /// The slot whose unit holds the byte at `offset` of the file; at the end of text and beyond it
+    /// the last one.
     [[nodiscard]] const Slot& slot_at(std::uint32_t offset) const noexcept;
 
     /// Line and column of an offset in the file, `offset <= size()`.
     [[nodiscard]] Position position(std::uint32_t offset,
                                     ColumnUnit unit = ColumnUnit::code_points) const noexcept;
-    /// The inverse. A line behind the last one gives the end of text.
+    /// The inverse. A line behind the last one gives the end of text, a column behind the end of
+    /// its line the end of that line.
     [[nodiscard]] std::uint32_t offset(Position position,
                                        ColumnUnit unit = ColumnUnit::code_points) const noexcept;
 
@@ -87,7 +92,7 @@ public:
     /// The way from the root of a unit to the innermost node that holds the byte at `offset`. Empty
     /// `nodes` never: the root is always there.
     struct Path {
-        const Slot* slot;
+        const Slot* slot;                    ///< of the tree; not null
         std::vector<const ast::Node*> nodes; ///< outermost first
 
         /// The innermost node on the way that is a `T`, which may be a category; null for none.
@@ -99,13 +104,16 @@ public:
             return nullptr;
         }
     };
+    /// `offset` counts from the start of the file. Beyond `size()` the way is the root of the last
+    /// unit alone. It leads into the units of this tree: hold the tree, or the unit, to keep it.
     [[nodiscard]] Path node_at(std::uint32_t offset) const;
 
     /// A token of the tree.
     struct TokenPlace {
-        const Slot* slot;
+        const Slot* slot;    ///< of the tree; not null
         std::uint32_t index; ///< in `slot->unit->tokens()`
 
+        /// Its offset counts from the start of the unit.
         [[nodiscard]] Token token() const noexcept { return slot->unit->tokens()[index]; }
         /// Counted from the start of the file.
         [[nodiscard]] TextRange range() const noexcept {
@@ -118,7 +126,8 @@ public:
     /// Nothing before the first one.
     [[nodiscard]] std::optional<TokenPlace> token_before(std::uint32_t offset) const noexcept;
 
-    /// The tree of the text in which `replacement` stands in the place of the bytes in `range`.
+    /// The tree of the text in which `replacement` stands in the place of the bytes in `range`,
+    /// which counts from the start of the file; what of it lies beyond the file is left out.
     /// Only units that the edit can touch are read again, the others are shared. Always equal to
     /// parsing the new text.
     [[nodiscard]] SyntaxTree edited(TextRange range, std::string_view replacement) const;

@@ -44,8 +44,8 @@ enum class TokenClass : std::uint8_t {
 
 /// A token, comment or pragma with its class. The range counts from the start of the unit.
 struct ClassifiedToken {
-    TextRange range;
-    TokenClass token_class{};
+    TextRange range;          ///< with the delimiters of a comment or pragma
+    TokenClass token_class{}; ///< `unknown` for what could not be read
 
     friend constexpr bool operator==(const ClassifiedToken&,
                                      const ClassifiedToken&) noexcept = default;

@@ -26,19 +26,21 @@ public:
     /// What a unit is made of. The parser fills it in.
     struct Parts {
         std::shared_ptr<const std::string> buffer; ///< owns `text`
-        std::string_view text;
-        Encoding encoding = Encoding::utf8;
-        Arena arena; ///< owns tokens, trivia and nodes
-        std::span<const Token> tokens;
-        std::span<const Trivia> trivia;
-        const ast::LibraryUnit* root = nullptr;
-        std::vector<Diagnostic> diagnostics;
-        bool depends_on_rest = false;
+        std::string_view text;                     ///< the unit's part of the file
+        Encoding encoding = Encoding::utf8;        ///< of `text`
+        Arena arena;                               ///< owns tokens, trivia and nodes
+        std::span<const Token> tokens;             ///< what `Unit::tokens` gives
+        std::span<const Trivia> trivia;            ///< what `Unit::trivia` gives
+        const ast::LibraryUnit* root = nullptr;    ///< not null in a unit
+        std::vector<Diagnostic> diagnostics;       ///< ordered by position
+        bool depends_on_rest = false;              ///< what `Unit::depends_on_rest` gives
     };
+    /// `parse` makes units; there is no need to make one by hand.
     explicit Unit(Parts parts);
 
-    /// All bytes of the unit.
+    /// All bytes of the unit. Views into it, as all of the unit, live as long as the unit does.
     [[nodiscard]] std::string_view text() const noexcept { return parts_.text; }
+    /// That of the file.
     [[nodiscard]] Encoding encoding() const noexcept { return parts_.encoding; }
     /// The shared bytes that `text()` is a view into.
     [[nodiscard]] const std::shared_ptr<const std::string>& buffer() const noexcept {
@@ -49,6 +51,7 @@ public:
     [[nodiscard]] std::span<const Token> tokens() const noexcept { return parts_.tokens; }
     /// Comments and pragmas, in source order.
     [[nodiscard]] std::span<const Trivia> trivia() const noexcept { return parts_.trivia; }
+    /// The syntax tree of the unit. It is there whatever the text.
     [[nodiscard]] const ast::LibraryUnit& root() const noexcept { return *parts_.root; }
     /// What was found in this unit, ordered by position; ranges count from the start of the unit.
     [[nodiscard]] std::span<const Diagnostic> diagnostics() const noexcept {
@@ -62,13 +65,17 @@ public:
     [[nodiscard]] const LineTable& lines() const noexcept { return lines_; }
 
     /// The bytes from the first to the last token of `node`, with the trivia between them; for a
-    /// node without tokens the empty range behind the token before it.
+    /// node without tokens the empty range behind the token before it. Counts from the start of the
+    /// unit; `node` belongs to it.
     [[nodiscard]] TextRange range(const ast::Node& node) const noexcept;
 
+    /// The bytes in `range`, which counts from the start of the unit and lies inside it.
     [[nodiscard]] std::string_view text(TextRange range) const noexcept {
         return parts_.text.substr(range.begin, range.size());
     }
+    /// The spelling of one of the unit's tokens.
     [[nodiscard]] std::string_view text(Token token) const noexcept { return text(token.range()); }
+    /// The bytes in `range(node)`: a name as it is spelt, an expression with its comments.
     [[nodiscard]] std::string_view text(const ast::Node& node) const noexcept {
         return text(range(node));
     }

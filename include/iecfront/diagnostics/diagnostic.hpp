@@ -40,14 +40,14 @@ enum class Severity : std::uint8_t {
 
 /// One row of the catalogue.
 struct DiagnosticInfo {
-    DiagnosticId id;
-    std::uint16_t code;       ///< the number in `IEC1234`
-    std::string_view name;    ///< kebab-case: `missing-semicolon`
-    DiagnosticClass category; ///< class under 1.5.1
-    std::string_view clause;  ///< clause or production of the standard whose rule it states
-    std::uint8_t annex_e_row; ///< row of Annex E counted from 1; 0 when it is none
-    Severity default_severity;
-    std::string_view message; ///< `{0}`, `{1}` ... stand for the arguments
+    DiagnosticId id;           ///< the row
+    std::uint16_t code;        ///< the number in `IEC1234`
+    std::string_view name;     ///< kebab-case: `missing-semicolon`
+    DiagnosticClass category;  ///< class under 1.5.1
+    std::string_view clause;   ///< clause or production of the standard whose rule it states
+    std::uint8_t annex_e_row;  ///< row of Annex E counted from 1; 0 when it is none
+    Severity default_severity; ///< unless a `SeverityPolicy` sets another
+    std::string_view message;  ///< `{0}`, `{1}` ... stand for the arguments
 };
 
 /// The row of `id`. Never fails.
@@ -81,8 +81,8 @@ using DiagnosticArgument = std::variant<std::string, std::uint64_t, char32_t>;
 
 /// A second place that explains a diagnostic.
 struct DiagnosticLabel {
-    TextRange range;
-    LabelId id{};
+    TextRange range;      ///< the place, relative to what the diagnostic's range is
+    LabelId id{};         ///< which words stand there
     std::string argument; ///< for the `{0}` of the label's text; may be empty
 
     friend bool operator==(const DiagnosticLabel&, const DiagnosticLabel&) = default;
@@ -91,7 +91,7 @@ struct DiagnosticLabel {
 /// Edits that very probably give what was meant, to be applied together. They do not overlap and
 /// are ordered by position.
 struct DiagnosticFix {
-    std::vector<TextEdit> edits;
+    std::vector<TextEdit> edits; ///< at least one; `apply_edits` makes them
 
     friend bool operator==(const DiagnosticFix&, const DiagnosticFix&) = default;
 };
@@ -99,11 +99,11 @@ struct DiagnosticFix {
 /// A finding, as data. All ranges are relative to the same start: in `Unit::diagnostics()` the
 /// unit's, in `SyntaxTree::diagnostics()` the file's. Words are made by a renderer.
 struct Diagnostic {
-    DiagnosticId id{};
-    TextRange range; ///< what is wrong; empty where something is missing
-    std::vector<DiagnosticArgument> arguments;
-    std::vector<DiagnosticLabel> labels;
-    std::vector<DiagnosticFix> fixes; ///< alternatives, the likeliest first
+    DiagnosticId id{};                         ///< `diagnostic_info` gives its code and class
+    TextRange range;                           ///< what is wrong; empty where something is missing
+    std::vector<DiagnosticArgument> arguments; ///< for the `{0}`, `{1}` ... of the message
+    std::vector<DiagnosticLabel> labels;       ///< other places that explain it; often none
+    std::vector<DiagnosticFix> fixes;          ///< alternatives, the likeliest first
 
     friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
@@ -124,12 +124,12 @@ mapped(Diagnostic diagnostic, const std::function<std::uint32_t(std::uint32_t of
 [[nodiscard]] IECFRONT_API std::string message(const Diagnostic& diagnostic,
                                                Encoding encoding = Encoding::utf8);
 
-/// The words of a label.
+/// The words of a label, in the same form.
 [[nodiscard]] IECFRONT_API std::string message(const DiagnosticLabel& label,
                                                Encoding encoding = Encoding::utf8);
 
 /// What a fix does, in words: "insert `;`", "replace `=` by `:=`", "remove `;`". `source` is the
-/// text that the edits refer to.
+/// text that the edits refer to, in `encoding`. The result is UTF-8 on one line.
 [[nodiscard]] IECFRONT_API std::string
 description(const DiagnosticFix& fix, std::string_view source, Encoding encoding = Encoding::utf8);
 

@@ -18,7 +18,8 @@ struct TextStyle {
 };
 
 /// Appends `diagnostic`, whose ranges count from the start of `source`, to `out`: one clickable
-/// line `file:line:column: severity CODE: message`, then the source line with carets. Nothing is
+/// line `file:line:column: severity CODE: message` (1-based, columns in code points), then the
+/// source line with carets. The output is UTF-8. Nothing is
 /// appended when `severity` is `allow`. `lines` is the table of `source`.
 IECFRONT_API void render_text(std::string& out, const Diagnostic& diagnostic, Severity severity,
                               const SourceText& source, const LineTable& lines,

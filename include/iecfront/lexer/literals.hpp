@@ -22,7 +22,7 @@ struct IntegerValue {
     bool negative = false;         ///< only `INT#-5`; the sign of an untyped one is a token before
     std::uint8_t base = 10;        ///< 2, 8, 10 or 16
     bool overflow = false;         ///< above 2^64-1: `magnitude` is then 2^64-1
-    std::uint64_t magnitude = 0;
+    std::uint64_t magnitude = 0;   ///< without its sign; 1 for `TRUE`
 };
 
 /// A real literal: `3.14`, `LREAL#1.0E-3` (B.1.2.1).
@@ -42,20 +42,22 @@ struct DurationValue {
 /// Calendar fields, as written and checked against the Gregorian calendar (B.1.2.3.2).
 struct DateValue {
     std::uint16_t year = 1; ///< 1 to 9999
-    std::uint8_t month = 1;
-    std::uint8_t day = 1;
+    std::uint8_t month = 1; ///< 1 to 12
+    std::uint8_t day = 1;   ///< 1 to the last of the month
 
     friend constexpr auto operator<=>(const DateValue&, const DateValue&) noexcept = default;
 };
+/// A time of day as written: each field in its range, no leap seconds (B.1.2.3.2).
 struct TimeOfDayValue {
-    std::uint8_t hour = 0;
-    std::uint8_t minute = 0;
-    std::uint8_t second = 0;
-    std::uint32_t nanosecond = 0;
+    std::uint8_t hour = 0;        ///< 0 to 23
+    std::uint8_t minute = 0;      ///< 0 to 59
+    std::uint8_t second = 0;      ///< 0 to 59
+    std::uint32_t nanosecond = 0; ///< of the fraction of the second; finer digits are cut
 
     friend constexpr auto operator<=>(const TimeOfDayValue&,
                                       const TimeOfDayValue&) noexcept = default;
 };
+/// A date and a time of day (B.1.2.3.2).
 struct DateAndTimeValue {
     DateValue date;
     TimeOfDayValue time;
@@ -67,13 +69,13 @@ struct DateAndTimeValue {
 /// One code of a string, and where it comes from: one character or one `$` combination.
 struct StringElement {
     std::uint16_t code = 0; ///< U+0000..U+00FF in a single-byte string
-    TextRange source;
+    TextRange source;       ///< bytes of the literal, from its start
 };
 
 /// A character string (B.1.2.2). `$N` is one character, LF.
 struct StringValue {
-    bool double_byte = false; ///< 16-bit codes: `"..."` or `WSTRING#...`
-    std::vector<StringElement> elements;
+    bool double_byte = false;            ///< 16-bit codes: `"..."` or `WSTRING#...`
+    std::vector<StringElement> elements; ///< one for each character of the value, in order
 };
 
 /// A directly represented variable or incomplete location (B.1.4.1).
@@ -85,6 +87,7 @@ struct DirectVariableValue {
 };
 
 /// The value of a literal of each class; nothing when the text is none of the class, or malformed.
+/// `encoding` is that of the text, which matters for strings only.
 [[nodiscard]] IECFRONT_API std::optional<IntegerValue> integer_value(std::string_view text);
 [[nodiscard]] IECFRONT_API std::optional<RealValue> real_value(std::string_view text);
 [[nodiscard]] IECFRONT_API std::optional<DurationValue> duration_value(std::string_view text);
@@ -99,9 +102,10 @@ direct_variable_value(std::string_view text);
 
 /// The two names of an enumerated value `type#value`; `type` is empty for an unqualified one.
 struct EnumeratedValueName {
-    std::string_view type;
-    std::string_view value;
+    std::string_view type;  ///< before the `#`
+    std::string_view value; ///< behind it
 };
+/// Cuts the text of one token at its `#`. The views are into `text`.
 [[nodiscard]] IECFRONT_API EnumeratedValueName
 split_enumerated_value(std::string_view text) noexcept;
 

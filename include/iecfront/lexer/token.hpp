@@ -20,16 +20,19 @@ enum class TokenKind : std::uint8_t {
 /// Number of token kinds.
 inline constexpr std::size_t token_kind_count = static_cast<std::size_t>(TokenKind::unknown) + 1;
 
-/// Classes of kinds, as in `tokens.def`.
+/// True for the keywords of Annex C, but not for names of standard functions (`standard_name`).
 [[nodiscard]] constexpr bool is_keyword(TokenKind kind) noexcept {
     return kind <= TokenKind::kw_eno;
 }
+/// True for BOOL, INT, TIME, STRING and their like (2.3.1): keywords as well.
 [[nodiscard]] constexpr bool is_elementary_type_name(TokenKind kind) noexcept {
     return kind <= TokenKind::kw_wstring;
 }
+/// True for ANY, ANY_NUM and their like (2.3.2): keywords as well.
 [[nodiscard]] constexpr bool is_generic_type_name(TokenKind kind) noexcept {
     return kind >= TokenKind::kw_any && kind <= TokenKind::kw_any_date;
 }
+/// True for delimiters and operators of signs, also those of other languages (`==`).
 [[nodiscard]] constexpr bool is_delimiter(TokenKind kind) noexcept {
     return kind >= TokenKind::assign && kind <= TokenKind::bar_bar;
 }
@@ -48,8 +51,9 @@ public:
     /// No token is longer, in bytes; what is longer is cut and reported (`text-too-long`).
     static constexpr std::uint32_t maximum_length = (1U << 22) - 1;
 
+    /// A token of no bytes at the start: a placeholder.
     constexpr Token() = default;
-    /// `length <= maximum_length`.
+    /// `offset` and `length` are bytes; `length <= maximum_length`.
     constexpr Token(TokenKind kind, std::uint32_t offset, std::uint32_t length,
                     bool first_on_line = false, bool malformed = false) noexcept
         : offset_(offset),
@@ -57,6 +61,7 @@ public:
                 (malformed ? malformed_bit : 0U) |
                 (static_cast<std::uint32_t>(kind) << kind_shift)) {}
 
+    /// What it is. For a sign of another language that is taken for an operator, that operator's.
     [[nodiscard]] constexpr TokenKind kind() const noexcept {
         return static_cast<TokenKind>(rest_ >> kind_shift);
     }
@@ -64,6 +69,7 @@ public:
     [[nodiscard]] constexpr std::uint32_t offset() const noexcept { return offset_; }
     /// In bytes.
     [[nodiscard]] constexpr std::uint32_t length() const noexcept { return rest_ & maximum_length; }
+    /// One past the last byte, and the bytes between, counted as `offset()` is.
     [[nodiscard]] constexpr std::uint32_t end() const noexcept { return offset_ + length(); }
     [[nodiscard]] constexpr TextRange range() const noexcept { return {offset(), end()}; }
     /// True when no other token precedes it on its line. Comments do not count; a line end inside a

@@ -32,7 +32,8 @@ struct DecodedCharacter {
 /// `utf-8`, `iso-8859-1` or `windows-1252`.
 [[nodiscard]] IECFRONT_API std::string_view to_string(Encoding encoding) noexcept;
 
-/// Finds an encoding by name, in any case; also `utf8`, `latin-1`, `latin1`, `cp1252`.
+/// Finds an encoding by name, in any case; also `utf8`, `latin-1`, `latin1`, `cp1252`. Nothing for
+/// any other name.
 [[nodiscard]] IECFRONT_API std::optional<Encoding>
 encoding_from_string(std::string_view name) noexcept;
 

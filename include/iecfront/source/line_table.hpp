@@ -12,7 +12,7 @@ namespace iecfront {
 
 /// What a column counts.
 enum class ColumnUnit : std::uint8_t {
-    bytes,
+    bytes,       ///< of the text as it is encoded
     code_points, ///< characters of ISO/IEC 10646; a broken byte counts as one
     utf16_units, ///< as the Language Server Protocol counts; a broken byte counts as one
 };
@@ -20,7 +20,7 @@ enum class ColumnUnit : std::uint8_t {
 /// A place in a text. Both numbers are 1-based; a tab is one column.
 struct Position {
     std::uint32_t line = 1;
-    std::uint32_t column = 1;
+    std::uint32_t column = 1; ///< in what `ColumnUnit` says where the position is made
 
     friend constexpr auto operator<=>(const Position&, const Position&) noexcept = default;
 };
@@ -29,7 +29,9 @@ struct Position {
 /// offsets only and does not keep the text.
 class IECFRONT_API LineTable {
 public:
+    /// Of an empty text: one line.
     LineTable() = default;
+    /// Of `text`, which is looked through once.
     explicit LineTable(std::string_view text);
 
     /// Number of line ends in the text: 0 for a text of a single line.

@@ -42,8 +42,11 @@ public:
 
     /// All bytes, a byte order mark included. A zero byte stands behind the last one.
     [[nodiscard]] std::string_view bytes() const noexcept { return *buffer_; }
+    /// What diagnostics call the file, as it was given; may be empty.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    /// What the bytes are read as. Nothing is converted.
     [[nodiscard]] Encoding encoding() const noexcept { return encoding_; }
+    /// True when the text was refused because it is above `maximum_size`. It is empty then.
     [[nodiscard]] bool too_large() const noexcept { return too_large_; }
 
     /// The same text as a piece of a larger file, whose `name` this is: the renderers of
@@ -54,6 +57,7 @@ public:
         piece.origin_ = origin;
         return piece;
     }
+    /// Where the text begins in its file: what `at` was given, else the start of the file.
     [[nodiscard]] Origin origin() const noexcept { return origin_; }
 
     /// The shared bytes themselves, for whoever keeps views into them.
