@@ -75,7 +75,7 @@ private:
     [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;
     const char* string(const char* begin);
     const char* location(const char* begin);
-    [[nodiscard]] const char* end_behind_inner_quote(const char* end) const;
+    [[nodiscard]] const char* end_behind_inner_quote(const char* end);
     const char* number_sign(const char* begin);
     const char* dot(const char* begin);
     const char* slash(const char* begin);
@@ -837,11 +837,12 @@ const char* Lexer::string(const char* begin) {
 
 // The end of `'it's'`, when a word that is no keyword adjoins the string that ends at `end`, and
 // the next quote on the line begins no other string; else null.
-const char* Lexer::end_behind_inner_quote(const char* end) const {
+const char* Lexer::end_behind_inner_quote(const char* end) {
     const char quote = end[-1];
     if (!is_quote(quote) || !is_word_start(*end) ||
         keyword_kind(view(end, extents_.word_end(end))) != TokenKind::identifier)
         return nullptr;
+    result_.open_ended.push_back(offset(end)); // the rest of the line may be of other units
     const char* const whole_end = extents_.string_end(end - 1);
     if (whole_end[-1] != quote)
         return nullptr;

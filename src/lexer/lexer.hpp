@@ -15,8 +15,8 @@ struct LexedText {
     std::vector<Trivia> trivia;
     std::vector<Diagnostic> diagnostics; // ordered by position
     /// Where the comments and pragmas begin, in order, whose end depended on everything up to the
-    /// end of the text, as that of a comment does that nothing closes. An edit behind such a place
-    /// can change what stands before the edit.
+    /// end of the text, as that of a comment does that nothing closes; and the ends of strings that
+    /// a word adjoins. An edit behind such a place can change what stands before the edit.
     std::vector<std::uint32_t> open_ended;
 };
 

@@ -36,6 +36,9 @@ TEST_F(AstCommand, JsonIsOneObjectAFile) {
     EXPECT_EQ(json["units"].items.size(), 1U);
     EXPECT_EQ(json["units"][0]["kind"].text, "library_unit");
     EXPECT_EQ(run_json({"ast", "--format", "json", "empty.st"})["file"].text, "empty.st");
+    EXPECT_EQ(run({"ast", "--format", "json", "good.st", "empty.st"}).out,
+              run({"ast", "--format", "json", "good.st"}).out +
+                  run({"ast", "--format", "json", "empty.st"}).out);
 }
 
 TEST_F(AstCommand, NamesTheFilesWhenThereAreSeveral) {

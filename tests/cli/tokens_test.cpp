@@ -56,6 +56,9 @@ TEST_F(TokensCommand, JsonIsOneObjectAFile) {
     EXPECT_EQ(token["text"].text, ":=");
     write("empty.st", "");
     EXPECT_TRUE(run_json({"tokens", "--format=json", "empty.st"})["tokens"].items.empty());
+    EXPECT_EQ(run({"tokens", "--format=json", "p.st", "empty.st"}).out,
+              run({"tokens", "--format=json", "p.st"}).out +
+                  run({"tokens", "--format=json", "empty.st"}).out);
 }
 
 TEST_F(TokensCommand, NamesTheFilesWhenThereAreSeveral) {

@@ -57,8 +57,8 @@ public:
     [[nodiscard]] std::span<const Diagnostic> diagnostics() const noexcept {
         return parts_.diagnostics;
     }
-    /// True when a comment or pragma in this unit is never closed, so that text behind the unit
-    /// could change it.
+    /// True when a comment or pragma in this unit is never closed, or a word adjoins a string, so
+    /// that text behind the unit could change it.
     [[nodiscard]] bool depends_on_rest() const noexcept { return parts_.depends_on_rest; }
 
     /// Where the lines of the unit's text begin.

@@ -15,8 +15,8 @@ enum class StandardName : std::uint8_t {
     function_block, ///< a standard function block of 2.5.2.3 (`TON`, `CTU_DINT`)
 };
 
-/// What `name` is in the standard, in any case of its letters. For a keyword (`MOD`, `NOT`) as
-/// well: `none`.
+/// What `name` is in the standard, in any case of its letters. AND, OR, XOR, NOT and MOD are
+/// functions here, though their tokens are keywords.
 [[nodiscard]] IECFRONT_API StandardName standard_name(std::string_view name) noexcept;
 
 } // namespace iecfront
