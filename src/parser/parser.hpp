@@ -254,6 +254,8 @@ private:
         TokenKind closer;
         std::uint32_t opener;
         bool in_else = false; // of IF or CASE: no other part follows
+        // Of its opener, when its statements are indented: none of them begins in it, or before it.
+        std::optional<std::uint32_t> column = {};
     };
     void open_block(TokenKind closer, std::uint32_t opener) { open_.push_back({closer, opener}); }
     /// Ends the innermost block: takes its closing word, or a misspelt or mismatched one, or
@@ -521,8 +523,12 @@ private:
     const ast::StatementList* parse_statement_list(std::string_view where);
     void parse_statements(ListBuilder<ast::Statement>& statements);
     [[nodiscard]] bool at_end_of_statements();
+    void look_at_indentation() noexcept;
+    [[nodiscard]] bool at_outdented_statement() const noexcept;
     [[nodiscard]] bool at_split_closer() const noexcept;
     void skip_stray_word(bool first_in_list);
+    [[nodiscard]] std::uint32_t first_indented_above() const noexcept;
+    bool report_missing_head(TokenKind closer);
     [[nodiscard]] bool belongs_to_outer_if() noexcept;
     [[nodiscard]] bool at_misspelt_elsif() const noexcept;
     [[nodiscard]] bool at_misspelt_else() const noexcept;

@@ -185,10 +185,9 @@ public:
             if (fits(place, part.meaning) && has_rest(place, part))
                 attempt({place, part.meaning.kind});
         for (const TokenKind meant : closing_words)
-            if (is_reported_missing(meant)) {
-                attempt({place, meant});
-                attempt({place - 1, meant});
-            }
+            for (const std::size_t token : {place, place - 1})
+                if (is_reported_missing(meant) && is_mark(token))
+                    attempt({token, meant});
         if (!best_)
             return std::nullopt;
         std::optional<Reading> reading = read_with(*best_, arena);
@@ -224,6 +223,11 @@ private:
             best_ = change;
             fewest_ = reading->reports.size();
         }
+    }
+
+    /// No name or literal: a closing word is not taken for one.
+    [[nodiscard]] bool is_mark(std::size_t token) const {
+        return token < tokens_.size() && !operands.contains(tokens_[token].kind());
     }
 
     [[nodiscard]] bool is_reported_missing(TokenKind word) const {

@@ -21,6 +21,7 @@ constexpr TokenSet inner_closers = statement_closers | TokenSet{TokenKind::kw_en
 const ast::StatementList* Parser::parse_statement_list(std::string_view where) {
     auto* list = make<ast::StatementList>();
     ListBuilder<ast::Statement> statements(*this);
+    look_at_indentation();
     parse_statements(statements);
     list->statements = statements.finish();
     finish(list);
@@ -81,7 +82,23 @@ bool Parser::at_end_of_statements() {
     if (token().first_on_line() && is_open(TokenKind::kw_end_case) && at_case_label() &&
         unclosed(innermost) > 0)
         return true;
-    return at_misspelt_closer() && unclosed(innermost) > 0;
+    return (at_misspelt_closer() || at_outdented_statement()) && unclosed(innermost) > 0;
+}
+
+/// At the first statement of a block.
+void Parser::look_at_indentation() noexcept {
+    OpenBlock& block = open_.back();
+    block.column.reset();
+    if (statement_closers.contains(block.closer) && token().first_on_line() &&
+        tokens_[block.opener].first_on_line() && column(at_) > column(block.opener))
+        block.column = column(block.opener);
+}
+
+/// At a statement that by its column stands behind the innermost block.
+bool Parser::at_outdented_statement() const noexcept {
+    const OpenBlock& block = open_.back();
+    return block.column && token().first_on_line() && at_statement_start() &&
+           column(at_) <= *block.column;
 }
 
 /// At ELSE or ELSIF after the ELSE of the innermost statement: true when it is for another one,
@@ -145,10 +162,61 @@ bool Parser::at_split_closer() const noexcept {
            !tokens_[next(at_)].first_on_line();
 }
 
+/// The first of the lines above the cursor that all begin further right; the cursor when not even
+/// the last one does.
+std::uint32_t Parser::first_indented_above() const noexcept {
+    constexpr std::uint32_t furthest = 500; // tokens, for the time that many such words take
+    const std::uint32_t limit = column(at_);
+    std::uint32_t first = at_;
+    for (std::uint32_t i = at_; i > open_.back().opener && at_ - i < furthest; --i) {
+        if (!tokens_[i - 1].first_on_line())
+            continue;
+        if (column(i - 1) <= limit)
+            return first;
+        first = i - 1;
+    }
+    return at_;
+}
+
+/// Where statements stand further right than the word behind them, which closes nothing that is
+/// open, the head of their block is missing before them.
+bool Parser::report_missing_head(TokenKind closer) {
+    struct Head {
+        TokenKind closer;
+        const char* words;
+    };
+    static constexpr Head heads[] = {
+        {TokenKind::kw_end_if, "`IF` with a condition and `THEN`"},
+        {TokenKind::kw_end_for, "`FOR` with its control variable and `DO`"},
+        {TokenKind::kw_end_while, "`WHILE` with a condition and `DO`"},
+    };
+    const Head* const head = std::find_if(std::begin(heads), std::end(heads),
+                                          [closer](Head one) { return one.closer == closer; });
+    if (head == std::end(heads) || !token().first_on_line() || reported_at_ == at_)
+        return false;
+    const std::uint32_t first = first_indented_above();
+    if (first == at_)
+        return false;
+    // In a block that begins there: it stands further right than that block.
+    const TokenKind before = tokens_[first - 1].kind();
+    const bool in_block = is_keyword(before) && column(at_) > column(open_.back().opener);
+    if (before != TokenKind::semicolon && !in_block)
+        return false;
+    const std::uint32_t offset = tokens_[first - 1].end();
+    reported_at_ = at_;
+    report(DiagnosticId::missing_token, {offset, offset}, {head->words});
+    return true;
+}
+
 /// A closing word, or another word inside a statement, of which nothing is open. When it is all
 /// that stands in the list, the empty statement is put in its place.
 void Parser::skip_stray_word(bool first_in_list) {
     const std::uint32_t first = at_;
+    if (report_missing_head(kind())) {
+        advance();
+        accept(TokenKind::semicolon);
+        return;
+    }
     const bool after_else =
         open_.back().in_else && (at(TokenKind::kw_else) || at(TokenKind::kw_elsif));
     Report stray = after_else
@@ -532,7 +600,8 @@ const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
 /// At ELSE or ELSIF outside of IF, when an END_IF waits for it.
 const ast::Statement* Parser::parse_if_without_head() {
     auto* node = make<ast::IfStatement>();
-    report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
+    if (!report_missing_head(TokenKind::kw_end_if))
+        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
     ++unclosed(TokenKind::kw_end_if);
     open_block(TokenKind::kw_end_if, at_);
     node->condition = make_missing<ast::ErrorExpression>();

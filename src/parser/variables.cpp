@@ -63,9 +63,14 @@ bool Parser::at_end_of_declarations() {
         return !after_name.contains(peek()) || at(TokenKind::end_of_unit);
     if (at_misspelt_closer() || at_foreign_closer())
         return true;
-    // Statements in a declaration block: its END_VAR is missing.
-    return open_.back().closer == TokenKind::kw_end_var && at_statement_start() &&
-           unclosed(TokenKind::kw_end_var) > 0 && !is_elementary_type_name(peek_second());
+    // The body in a declaration block: its END_VAR is missing.
+    const bool statement = at_statement_start() && !is_elementary_type_name(peek_second());
+    const bool instruction = token().first_on_line() && peek() != TokenKind::colon &&
+                             at(TokenKind::identifier) && begins_instruction_on_line();
+    const bool empty =
+        at(TokenKind::semicolon) && token().first_on_line() && unit_ends.contains(peek());
+    return open_.back().closer == TokenKind::kw_end_var && (statement || instruction || empty) &&
+           unclosed(TokenKind::kw_end_var) > 0;
 }
 
 /// At `VAR_STAT` and its like: a word of other dialects that opens a block.

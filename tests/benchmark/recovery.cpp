@@ -27,7 +27,7 @@ constexpr std::string_view usage =
     "usage: iecfront_recovery [--faults N] [--seed N] [--show N] [FILE...]\n"
     "  --faults N   faults of each kind in a text, at most; less in short ones (100)\n"
     "  --seed N     of the generator that draws the faults (1)\n"
-    "  --show N     print the first N faults of each kind that have not exactly one report (0)\n"
+    "  --show N     print the first N faults of each kind without exactly one report, there (0)\n"
     "Without files, the example programs and the cases without findings are taken.\n";
 
 struct Options {
@@ -211,7 +211,7 @@ private:
             return;
         }
         figures_[kind].add(outcome);
-        if (outcome.reports.size() != 1 && shown_[kind] < options_.show) {
+        if ((outcome.reports.size() != 1 || !outcome.located) && shown_[kind] < options_.show) {
             ++shown_[kind];
             show(text, all_fault_kinds[kind], fault, outcome);
         }

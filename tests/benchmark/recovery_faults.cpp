@@ -101,8 +101,12 @@ TextEdit FaultMaker::edit(FaultKind kind, TextRange place) {
     const TextRange end = {place.end, place.end};
     switch (kind) {
     case FaultKind::drop_token:
-    case FaultKind::drop_line:
     case FaultKind::remove_closing_word: return {place, {}};
+    case FaultKind::drop_line: {
+        const std::size_t line_end = text_.find('\n', place.end);
+        return {{place.begin, static_cast<std::uint32_t>(std::min(line_end, text_.size() - 1) + 1)},
+                {}};
+    }
     case FaultKind::double_token: return {end, ' ' + std::string(present)};
     case FaultKind::replace_token: return {place, apart(place, other_token(present))};
     case FaultKind::insert_token: return {end, ' ' + apart(end, other_token({}))};

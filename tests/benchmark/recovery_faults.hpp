@@ -17,7 +17,7 @@ enum class FaultKind : std::uint8_t {
     double_token,
     replace_token, ///< by another one of the text
     insert_token,  ///< of the text
-    drop_line,
+    drop_line,     ///< with its end, so that the next one takes its place
     cut_file,
     remove_closing_word,   ///< `END_IF` and its like
     misspell_closing_word, ///< one letter is lost
