@@ -838,6 +838,7 @@ const char* Lexer::string(const char* begin) {
 // The end of `'it's'`, when a word that is no keyword adjoins the string that ends at `end`, and
 // the next quote on the line begins no other string; else null.
 const char* Lexer::end_behind_inner_quote(const char* end) {
+    constexpr std::ptrdiff_t furthest = 1000; // bounds the time that a line full of quotes takes
     const char quote = end[-1];
     if (!is_quote(quote) || !is_word_start(*end) ||
         keyword_kind(view(end, extents_.word_end(end))) != TokenKind::identifier)
@@ -847,7 +848,7 @@ const char* Lexer::end_behind_inner_quote(const char* end) {
     if (whole_end[-1] != quote)
         return nullptr;
     for (const char* p = whole_end; p != end_ && class_of(*p) != CharacterClass::line_end; ++p)
-        if (*p == quote && *(p = extents_.string_end(p) - 1) != quote)
+        if (p - end > furthest || (*p == quote && *(p = extents_.string_end(p) - 1) != quote))
             return nullptr;
     return whole_end;
 }
@@ -1187,7 +1188,7 @@ const char* Lexer::operator_of_other_language(const char* begin) {
     Diagnostic& diagnostic = report(DiagnosticId::foreign_operator, where);
     diagnostic.arguments = {std::string(1, *begin), std::string(found->meant)};
     std::string replacement(found->meant);
-    if (!unary && adjoins)
+    if (adjoins && last_token().kind() != TokenKind::left_parenthesis)
         replacement.insert(0, " ");
     if (behind == begin + 1 && *behind != '(')
         replacement += ' ';

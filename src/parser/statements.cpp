@@ -412,7 +412,10 @@ const ast::Statement* Parser::parse_simple_statement() {
     // Two names in a row: neither an assignment nor an invocation.
     auto* error = make<ast::ErrorStatement>();
     error->first_token = first;
-    report_unexpected("`:=` or `(`");
+    if (names_equal(text(first), "GOTO"))
+        report_at(first, DiagnosticId::not_a_statement, {quoted(first)});
+    else
+        report_unexpected("`:=` or `(`");
     skip_statement();
     return finish(error);
 }

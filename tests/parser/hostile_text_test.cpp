@@ -40,6 +40,10 @@ TEST(HostileText, TakesLinearTime) {
              HostileText{"PROGRAM p x(", "-END_WHILE ", "END_FOR ", "*x:="},
              HostileText{"PROGRAM p ", "x := ", "'", ") "},
              HostileText{"PROGRAM p ", "x := ", "'", "$';"},
+             HostileText{"PROGRAM p x := ", "'a'b", "\n", "a +\n"},
+             HostileText{"PROGRAM p x := ", "\"a\"b'", "\n", "1 <<\n y[i].z"},
+             HostileText{"PROGRAM p ", "REPEAT UNTILL a ", "\n", "x += "},
+             HostileText{"PROGRAM p VAR ", "INT x, y : INT AT %I1 ", "\n", "!a | "},
              HostileText{"FUNCTION_BLOCK b VAR_INPUT a : INT := ", "(a:=2.5 3(", ":= ", "a:"},
          }) {
         const std::string text = text_of(hostile, 1U << 19U);
