@@ -558,6 +558,7 @@ const ast::InstanceSpecificInit* Parser::parse_instance_specific_init() {
     expect_colon();
     node->specification = parse_type_specification();
     node->initial_value = parse_optional_initial_value();
+    check_initial_value(*node->specification, node->initial_value);
     finish(node);
     if (node->location != nullptr && at_incomplete(*node->location))
         report_node(*node->location, DiagnosticId::incomplete_location);

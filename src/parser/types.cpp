@@ -1,3 +1,4 @@
+#include "lexer/keywords.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/literals.hpp>
@@ -658,7 +659,15 @@ const ast::Expression* Parser::as_enumerated_value(const ast::Expression& name) 
 
 const ast::Expression* Parser::parse_enumerated_value() {
     auto* node = make<ast::EnumeratedValue>();
-    node->hash = hash_name(split_enumerated_value(text(at_)).value);
+    const std::string_view value = split_enumerated_value(text(at_)).value;
+    node->hash = hash_name(value);
+    if (at(TokenKind::enumerated_value) && !token().malformed() &&
+        keyword_kind(value) != TokenKind::identifier) {
+        const auto size = static_cast<std::uint32_t>(value.size());
+        const TextRange range{token().end() - size, token().end()};
+        report(DiagnosticId::reserved_word_as_name, range, {std::string(value)})
+            .replace(range, std::string(value) + "_1");
+    }
     advance();
     return finish(node);
 }
