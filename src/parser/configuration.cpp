@@ -110,7 +110,7 @@ const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
     auto* node = make<ast::ResourceDeclaration>();
     open_block(TokenKind::kw_end_resource, advance());
     node->name = parse_declared_name("the name of a resource");
-    if (!at(TokenKind::kw_on) && at(element_words)) {
+    if (!at(TokenKind::kw_on) && !at(TokenKind::identifier)) {
         report_missing(DiagnosticId::missing_token, {"`ON` with a resource type"});
         node->type = make_missing<ast::Identifier>();
     } else {
@@ -272,14 +272,21 @@ const ast::TaskConfiguration* Parser::parse_task_configuration() {
     const std::size_t reports = diagnostics_.size();
     advance();
     node->name = parse_declared_name("the name of a task");
-    if (!at(TokenKind::semicolon) && expect(TokenKind::left_parenthesis)) {
+    std::optional<Report> missing;
+    if (task_word(at_) < task_words.size() && peek() == TokenKind::assign)
+        missing.emplace(
+            report_missing(DiagnosticId::missing_token, {"`(`"}).insert(previous_end(), " ("));
+    if (missing || (!at(TokenKind::semicolon) && expect(TokenKind::left_parenthesis))) {
         ListBuilder<ast::TaskInitialization> initializations(*this);
         if (!at(TokenKind::right_parenthesis)) {
             do
                 initializations.add(parse_task_initialization());
             while (accept(TokenKind::comma) || accept_missing_comma(true));
         }
-        expect_closing(TokenKind::right_parenthesis);
+        if (missing && !at(TokenKind::right_parenthesis))
+            missing->also_insert(previous_end(), ")");
+        else
+            expect_closing(TokenKind::right_parenthesis);
         node->initializations = initializations.finish();
     }
     finish(node);

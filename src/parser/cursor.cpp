@@ -9,11 +9,13 @@
 namespace iecfront {
 namespace {} // namespace
 
-Parser::Parser(std::string_view text, std::span<const Token> tokens, std::uint32_t opener,
-               Arena& arena, const ParseOptions& options)
+Parser::Parser(std::string_view text, std::span<const Token> tokens,
+               std::span<const Diagnostic> lexical, std::uint32_t opener, Arena& arena,
+               const ParseOptions& options)
     : text_(text),
       tokens_(tokens.data()),
       count_(static_cast<std::uint32_t>(tokens.size()) - 1),
+      lexical_(lexical),
       opener_(opener),
       arena_(arena),
       options_(options) {
@@ -80,6 +82,8 @@ bool Parser::brackets_balance() const noexcept {
             break;
         open += openers.contains(before) ? 1 : closing_brackets.contains(before) ? -1 : 0;
     }
+    if (open <= 0)
+        return false;
     for (std::uint32_t i = at_; i != count_ && i - at_ < furthest && open > 0; i = next(i)) {
         const TokenKind here = tokens_[i].kind();
         if (here == TokenKind::semicolon)
@@ -149,7 +153,8 @@ Parser::Report& Parser::Report::label(LabelId id, std::uint32_t token) {
 
 Parser::Report& Parser::Report::replace(TextRange range, std::string words) {
     if (index_)
-        parser_.diagnostics_[*index_].fixes.push_back({{{range, std::move(words)}}});
+        parser_.diagnostics_[*index_].fixes.push_back(
+            {{{range, parser_.spaced(std::move(words), range)}}});
     return *this;
 }
 
@@ -165,6 +170,28 @@ Parser::Report& Parser::Report::also_remove(TextRange range) {
     if (index_)
         parser_.diagnostics_[*index_].fixes.back().edits.push_back({parser_.with_blank(range), {}});
     return *this;
+}
+
+Parser::Report& Parser::Report::also_insert(std::uint32_t offset, std::string words) {
+    if (index_)
+        parser_.diagnostics_[*index_].fixes.back().edits.push_back(
+            {{offset, offset}, std::move(words)});
+    return *this;
+}
+
+/// `words` for what stands at `range`: they must not run into their neighbours.
+std::string Parser::spaced(std::string words, TextRange range) const {
+    const auto part_of_word = [](char c) {
+        c = fold(c);
+        return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    if (words.empty())
+        return words;
+    if (range.end < text_.size() && part_of_word(words.back()) && part_of_word(text_[range.end]))
+        words += ' ';
+    if (range.begin > 0 && part_of_word(words.front()) && part_of_word(text_[range.begin - 1]))
+        words.insert(0, 1, ' ');
+    return words;
 }
 
 /// With the blank before it when another one stands behind it: no two blanks are left.
@@ -210,23 +237,31 @@ Parser::Report Parser::report_node(const ast::Node& node, DiagnosticId id, Argum
 }
 
 Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
-    // A string that nothing closes has taken the rest of its line, what is missing here with it.
-    const bool swallowed = end_ > 0 && tokens_[end_ - 1].malformed() && token().first_on_line() &&
-                           (tokens_[end_ - 1].kind() == TokenKind::single_byte_string ||
-                            tokens_[end_ - 1].kind() == TokenKind::double_byte_string);
-    // So has a comment that nothing closes.
-    const std::string_view gap = text_.substr(previous_end(), token().offset() - previous_end());
-    const std::size_t comment = gap.find("(*");
-    const bool commented = comment != gap.npos && gap.find("*)", comment) == gap.npos;
-    if (std::exchange(reported_at_, at_) == at_ || swallowed || commented || follows_unknown(at_))
+    if (std::exchange(reported_at_, at_) == at_ || follows_unclosed() || follows_unknown(at_))
         return {*this, std::nullopt};
     return report(id, {previous_end(), previous_end()}, std::move(arguments));
+}
+
+/// True behind a comment, pragma or string that nothing closes: it has taken the rest of its line,
+/// and what is missing at the cursor with it.
+bool Parser::follows_unclosed() const {
+    const std::uint32_t from = end_ > 0 ? tokens_[end_ - 1].offset() : 0;
+    auto found = std::ranges::lower_bound(lexical_, from, {},
+                                          [](const Diagnostic& one) { return one.range.begin; });
+    for (; found != lexical_.end() && found->range.begin < token().offset(); ++found)
+        if (found->id == DiagnosticId::unterminated_comment ||
+            found->id == DiagnosticId::unterminated_pragma ||
+            found->id == DiagnosticId::unterminated_string)
+            return true;
+    return false;
 }
 
 Parser::Report Parser::report_unexpected(std::string what) {
     Report unexpected =
         report_at(at_, DiagnosticId::unexpected_token, {std::move(what), describe(at_)});
-    if (at(closing_brackets) && !begins_operand_on_line(next(at_)))
+    const std::uint32_t behind = next(at_);
+    if (at(closing_brackets) && !begins_operand_on_line(behind) &&
+        !is_elementary_type_name(tokens_[behind].kind()))
         unexpected.remove(token().range());
     return unexpected;
 }
@@ -330,21 +365,37 @@ bool Parser::at_keyword_for_variable() {
 /// The first use is reported, and its fix renames every use in the unit.
 void Parser::report_reserved_word(std::uint32_t token) {
     const TokenKind keyword = tokens_[token].kind();
-    const TextEdit edit{tokens_[token].range(), std::string(text(token)) + "_1"};
+    const TextRange range = tokens_[token].range();
     for (const ReservedWord& word : reserved_words_)
         if (word.kind == keyword) {
             std::vector<TextEdit>& edits = diagnostics_[word.diagnostic].fixes.front().edits;
-            if (edits.back().range != edit.range) {
-                edits.push_back(edit);
+            if (edits.back().range != range) {
+                edits.push_back({range, std::string(text(token)) + word.suffix});
                 count_as_name(keyword);
             }
             return;
         }
     count_as_name(keyword);
     const std::string words(text(token));
-    const Report first = report(DiagnosticId::reserved_word_as_name, edit.range, {words});
-    diagnostics_[first.index()].fixes.push_back({{edit}});
-    reserved_words_.push_back({keyword, first.index()});
+    const std::string suffix = free_suffix(words);
+    const Report first = report(DiagnosticId::reserved_word_as_name, range, {words});
+    diagnostics_[first.index()].fixes.push_back({{{range, words + suffix}}});
+    reserved_words_.push_back({keyword, first.index(), suffix});
+}
+
+/// `_1`, or another number when the unit has a name like that already.
+std::string Parser::free_suffix(std::string_view word) const {
+    constexpr char last = '9'; // bounds the time that a text with all of them takes
+    std::string suffix = "_1";
+    const auto taken = [&](const Token& token) {
+        return token.kind() == TokenKind::identifier &&
+               token.length() == word.size() + suffix.size() &&
+               names_equal(text_.substr(token.offset(), token.length()),
+                           std::string(word) + suffix);
+    };
+    while (suffix.back() < last && std::any_of(tokens_, tokens_ + count_, taken))
+        ++suffix.back();
+    return suffix;
 }
 
 } // namespace iecfront

@@ -139,21 +139,6 @@ const ast::Expression* Parser::parse_binary(unsigned minimum) {
     return parse_binary_rest(parse_unary(), minimum);
 }
 
-/// `meant` for what stands at `range`: a word must not run into its neighbours.
-std::string Parser::spaced(std::string_view meant, TextRange range) const {
-    const auto part_of_word = [this](std::uint32_t offset) {
-        const char c = offset < text_.size() ? fold(text_[offset]) : ' ';
-        return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    };
-    const bool word = fold(meant.front()) >= 'A' && fold(meant.front()) <= 'Z';
-    std::string result(meant);
-    if (word && range.begin > 0 && part_of_word(range.begin - 1))
-        result.insert(0, " ");
-    if (word && part_of_word(range.end))
-        result += ' ';
-    return result;
-}
-
 /// Precedence climbing over Table 55; all operators associate to the left.
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
     for (;;) {
@@ -181,7 +166,7 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
         else if (!row.meant.empty())
             report_at(at_, DiagnosticId::foreign_operator,
                       {std::string(text(at_)), std::string(row.meant)})
-                .replace(token().range(), spaced(row.meant, token().range()));
+                .replace(token().range(), std::string(row.meant));
         auto* node = make_from<ast::BinaryExpression>(left);
         advance();
         node->op = row.op;

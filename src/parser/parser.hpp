@@ -40,8 +40,9 @@ enum class BodyLanguage : std::uint8_t {
 class Parser {
 public:
     /// `tokens` ends in an end_of_unit token, which `opener` is as well when the unit cutter found
-    /// none. Nodes are made in `arena`.
-    Parser(std::string_view text, std::span<const Token> tokens, std::uint32_t opener, Arena& arena,
+    /// none. `lexical` is what the lexer reported, ordered by place. Nodes are made in `arena`.
+    Parser(std::string_view text, std::span<const Token> tokens,
+           std::span<const Diagnostic> lexical, std::uint32_t opener, Arena& arena,
            const ParseOptions& options);
 
     // ---- library.cpp: B.0
@@ -206,6 +207,7 @@ private:
         Report& remove(TextRange range);
         /// As a part of the fix that was added last.
         Report& also_remove(TextRange range);
+        Report& also_insert(std::uint32_t offset, std::string words);
         explicit operator bool() const noexcept { return index_.has_value(); }
         [[nodiscard]] std::size_t index() const noexcept { return *index_; }
 
@@ -225,7 +227,9 @@ private:
     /// "expected {what}, found {the current token}".
     Report report_unexpected(std::string what);
     [[nodiscard]] std::uint32_t previous_end() const noexcept;
+    [[nodiscard]] std::string spaced(std::string words, TextRange range) const;
     [[nodiscard]] TextRange with_blank(TextRange range) const noexcept;
+    [[nodiscard]] bool follows_unclosed() const;
     /// True when a character that was reported as having no meaning stands before the token.
     [[nodiscard]] bool follows_unknown(std::uint32_t token) const noexcept {
         return token > 0 && tokens_[token - 1].kind() == TokenKind::unknown &&
@@ -244,6 +248,7 @@ private:
     /// A name that is declared; names of standard functions and function blocks are reported.
     const ast::Identifier* parse_declared_name(std::string what);
     void report_reserved_word(std::uint32_t token);
+    [[nodiscard]] std::string free_suffix(std::string_view word) const;
     const ast::Identifier* take_reserved_word();
     [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
     [[nodiscard]] bool at_keyword_for_variable();
@@ -336,6 +341,7 @@ private:
     const ast::EnumeratedValueDeclaration* parse_enumerated_value_declaration();
     const ast::TypeSpecification* parse_array_specification();
     ast::List<ast::Subrange> parse_subranges();
+    bool accept_comma_look_alike();
     const ast::TypeSpecification* parse_structure_declaration();
     const ast::Node* parse_structure_element_declaration();
     const ast::Expression* parse_optional_initial_value();
@@ -511,7 +517,6 @@ private:
     const ast::Identifier* parse_argument_name();
     const ast::Expression* parse_output_variable();
     [[nodiscard]] bool formal_list_follows() const noexcept;
-    [[nodiscard]] std::string spaced(std::string_view meant, TextRange range) const;
     [[nodiscard]] static unsigned operator_strength(TokenKind kind) noexcept;
     bool accept_missing_comma(bool named = false);
     [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const;
@@ -560,6 +565,7 @@ private:
     const ast::Statement* parse_if_rest(ast::IfStatement* node);
     const ast::Statement* parse_if_without_head();
     const ast::ElsifClause* parse_elsif_clause();
+    [[nodiscard]] bool at_else_for_elsif() const noexcept;
     [[nodiscard]] bool at_else_if_for_elsif();
     const ast::Statement* parse_case_statement();
     const ast::Statement* parse_case_rest(ast::CaseStatement* node);
@@ -662,11 +668,12 @@ private:
     void accept_extra_semicolon_before_body();
 
     std::string_view text_;
-    const Token* tokens_;   // the last one is end_of_unit
-    std::uint32_t count_;   // without end_of_unit
-    std::uint32_t opener_;  // see UnitCut
-    std::uint32_t at_ = 0;  // current token
-    std::uint32_t end_ = 0; // one past the last token consumed
+    const Token* tokens_;                 // the last one is end_of_unit
+    std::uint32_t count_;                 // without end_of_unit
+    std::span<const Diagnostic> lexical_; // what the lexer reported
+    std::uint32_t opener_;                // see UnitCut
+    std::uint32_t at_ = 0;                // current token
+    std::uint32_t end_ = 0;               // one past the last token consumed
     std::uint32_t nesting_ = 0;
     bool nesting_reported_ = false;
     bool in_condition_ = false;   // `:=` is taken for `=`
@@ -689,6 +696,7 @@ private:
     struct ReservedWord {
         TokenKind kind;
         std::size_t diagnostic;
+        std::string suffix; // that makes it a name of its own
     };
     std::vector<ReservedWord> reserved_words_;              // keywords used as names in this unit
     std::array<std::int32_t, token_kind_count> unclosed_{}; // by closing word, see unclosed()

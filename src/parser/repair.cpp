@@ -296,7 +296,7 @@ private:
     [[nodiscard]] std::optional<Reading> read_with(const Change& change, Arena& arena) {
         const std::array before = {tokens_[change.token], tokens_[change.token + 1]};
         apply(change);
-        Parser parser(input_.text, tokens_, input_.opener, arena, input_.options);
+        Parser parser(input_.text, tokens_, input_.lexical, input_.opener, arena, input_.options);
         parser.expect_reports(expected_);
         Reading reading{parser.parse_fragment(input_.options.read_as), parser.take_diagnostics()};
         std::copy(before.begin(), before.end(),

@@ -236,7 +236,7 @@ void Parser::skip_stray_word(bool first_in_list) {
     if (first_in_list && at_end_of_statements()) {
         stray.replace(token_range(first, end_), ";");
         reported_at_ = at_;
-    } else {
+    } else if (!after_else || !has_condition) { // else the statements would lose their condition
         stray.remove(token_range(first, end_));
     }
 }
@@ -258,6 +258,13 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
             .remove(token().range());
         advance();
         accept(TokenKind::semicolon);
+        return nullptr;
+    }
+    const bool closed_too_early = at(TokenKind::kw_else) && !token().first_on_line() &&
+                                  tokens_[end_ - 1].kind() == TokenKind::kw_end_if &&
+                                  !is_open(TokenKind::kw_end_if);
+    if (closed_too_early) {
+        report_unexpected("`;`");
         return nullptr;
     }
     const bool missing =
@@ -586,7 +593,8 @@ const ast::Statement* Parser::parse_if_statement() {
 const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
     ListBuilder<ast::ElsifClause> clauses(*this);
     while (open_.back().closer == TokenKind::kw_end_if) {
-        if (at(TokenKind::kw_elsif) || at_else_if_for_elsif() || at_misspelt_elsif()) {
+        if (at(TokenKind::kw_elsif) || at_else_if_for_elsif() || at_misspelt_elsif() ||
+            at_else_for_elsif()) {
             clauses.add(parse_elsif_clause());
         } else if (at(TokenKind::kw_else) || at_misspelt_else()) {
             node->else_list = parse_else_list();
@@ -671,7 +679,9 @@ TokenKind Parser::missing_opener() {
 // "ELSIF" expression "THEN" statement_list
 const ast::ElsifClause* Parser::parse_elsif_clause() {
     auto* clause = make<ast::ElsifClause>();
-    if (at(TokenKind::kw_else)) {
+    if (at(TokenKind::kw_else) && peek() != TokenKind::kw_if) {
+        report_unexpected("`ELSIF`").replace(token().range(), "ELSIF");
+    } else if (at(TokenKind::kw_else)) {
         const TextRange both{token().offset(), tokens_[next(at_)].end()};
         report(DiagnosticId::else_if, both).replace(both, "ELSIF");
         --unclosed(TokenKind::kw_end_if);
@@ -686,6 +696,12 @@ const ast::ElsifClause* Parser::parse_elsif_clause() {
     expect_word(TokenKind::kw_then);
     clause->statements = parse_statement_list("after THEN");
     return finish(clause);
+}
+
+/// At `ELSE` with a condition and THEN behind it in the line.
+bool Parser::at_else_for_elsif() const noexcept {
+    return at(TokenKind::kw_else) && begins_operand_on_line(next(at_)) &&
+           find_on_line(TokenKind::kw_then) < count_;
 }
 
 /// At `ELSE IF` on one line: true when ELSIF is meant. That is so when some IF of the unit is not
@@ -842,12 +858,10 @@ const ast::CaseElement* Parser::parse_case_element() {
             labels.add(parse_case_label());
         while (accept(TokenKind::comma));
         element->labels = labels.finish();
-        if (at(TokenKind::assign)) {
-            report_unexpected("`:`").replace(token().range(), ":");
-            advance();
-        } else {
+        if (at(TokenKind::assign) || at(TokenKind::output_arrow))
+            accept_as(TokenKind::colon);
+        else
             expect(TokenKind::colon);
-        }
     } else {
         report_unexpected("a CASE label");
     }
@@ -992,7 +1006,12 @@ void Parser::parse_for_list(ast::ForStatement& loop) {
             loop.by = parse_expression();
         return;
     }
-    expect_word(TokenKind::kw_to);
+    if (at_word("DOWNTO")) {
+        report_unexpected("`TO` with `BY` and a negative step");
+        advance();
+    } else {
+        expect_word(TokenKind::kw_to);
+    }
     loop.to = parse_expression();
     if (accept_by())
         loop.by = parse_expression();
@@ -1059,8 +1078,7 @@ const ast::Statement* Parser::parse_until_behind_closer(ast::RepeatStatement* no
     node->condition = parse_condition();
     if (!node->condition->missing && swapped) {
         swapped.remove(closer);
-        diagnostics_[swapped.index()].fixes.front().edits.push_back(
-            {{previous_end(), previous_end()}, " " + words});
+        swapped.also_insert(previous_end(), " " + words);
     }
     return finish(node);
 }
@@ -1108,7 +1126,9 @@ void Parser::expect_word(TokenKind word) {
 
 /// `IF a : x := 1;` and `FOR i := 1 .. 3 DO`.
 bool Parser::at_word_of_other_language(TokenKind word) const noexcept {
-    return word == TokenKind::kw_to ? at(TokenKind::dot_dot) : at(TokenKind::colon);
+    if (word == TokenKind::kw_to)
+        return at(TokenKind::dot_dot) || at(TokenKind::comma);
+    return at(TokenKind::colon);
 }
 
 } // namespace iecfront

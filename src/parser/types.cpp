@@ -414,7 +414,10 @@ const ast::TypeSpecification* Parser::parse_array_specification() {
         report_missing(DiagnosticId::missing_token, {"`[` with a subrange"});
     else
         node->subranges = parse_subranges();
-    expect(TokenKind::kw_of);
+    if (at(TokenKind::colon))
+        accept_as(TokenKind::kw_of);
+    else
+        expect(TokenKind::kw_of);
     node->element_type = parse_type_specification(StructureUse::named);
     check_element_type(*node->element_type);
     return finish(node);
@@ -428,7 +431,7 @@ ast::List<ast::Subrange> Parser::parse_subranges() {
     ListBuilder<ast::Subrange> subranges(*this);
     do
         subranges.add(parse_subrange());
-    while (accept(TokenKind::comma));
+    while (accept(TokenKind::comma) || accept_comma_look_alike());
     if (parentheses)
         close_parenthesis_for_bracket(*parentheses);
     else if (at(TokenKind::right_parenthesis) && peek() == TokenKind::kw_of)
@@ -436,6 +439,24 @@ ast::List<ast::Subrange> Parser::parse_subranges() {
     else
         expect_closing(TokenKind::right_bracket);
     return subranges.finish();
+}
+
+/// `[1..2; 1..3]` and `[1..2][1..3]`.
+bool Parser::accept_comma_look_alike() {
+    const std::uint32_t second = next(at_);
+    if (at(TokenKind::semicolon) && peek() == TokenKind::integer && on_same_line(at_, second)) {
+        accept_as(TokenKind::comma);
+        return true;
+    }
+    if (!at(TokenKind::right_bracket) || peek() != TokenKind::left_bracket)
+        return false;
+    const TextRange range = token_range(at_, second + 1);
+    report(DiagnosticId::unexpected_token, range,
+           {"`,`", "`" + std::string(text_.substr(range.begin, range.size())) + "`"})
+        .replace(range, ", ");
+    advance();
+    advance();
+    return true;
 }
 
 /// Passes over the token at the cursor, which stands in the place of `meant`.

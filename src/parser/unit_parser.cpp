@@ -36,8 +36,10 @@ public:
         parts.diagnostics = take_diagnostics(end, last);
         if (auto broken = check_encoding(parts.text, parts.encoding))
             parts.diagnostics.push_back(std::move(*broken));
+        sort_by_place(parts.diagnostics);
 
-        parse({parts.text, tokens, opener, options_}, parts);
+        parse({parts.text, tokens, parts.diagnostics, opener, options_}, parts);
+        sort_by_place(parts.diagnostics);
         begin_ = end;
         return std::make_shared<const Unit>(std::move(parts));
     }
@@ -105,21 +107,19 @@ private:
 
     /// Makes the tree. Where a single token is out of place, it is that of the repaired text.
     static void parse(const ParserInput& input, Unit::Parts& parts) {
-        Parser parser(input.text, input.tokens, input.opener, parts.arena, input.options);
+        Parser parser(input.text, input.tokens, input.lexical, input.opener, parts.arena,
+                      input.options);
         Reading reading{parser.parse_fragment(input.options.read_as), {}};
         reading.reports = parser.take_diagnostics();
         if (std::optional<Reading> repaired = repair(input, reading.reports, parts.arena))
             reading = std::move(*repaired);
         parts.root = reading.root;
-        append_sorted(parts.diagnostics, std::move(reading.reports));
+        std::ranges::move(reading.reports, std::back_inserter(parts.diagnostics));
     }
 
-    static void append_sorted(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
-        all.insert(all.end(), std::make_move_iterator(more.begin()),
-                   std::make_move_iterator(more.end()));
-        std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
-            return a.range.begin < b.range.begin;
-        });
+    static void sort_by_place(std::vector<Diagnostic>& diagnostics) {
+        std::ranges::stable_sort(diagnostics, {},
+                                 [](const Diagnostic& one) { return one.range.begin; });
     }
 
     const LexedUnits& source_;

@@ -86,6 +86,10 @@ TokenKind Parser::misspelt_block_opener() const noexcept {
     TokenKind meant = TokenKind::end_of_unit;
     if (!at(TokenKind::identifier) || !after_opener.contains(peek()))
         return meant;
+    if (at_word("VAR_IN"))
+        return TokenKind::kw_var_input;
+    if (at_word("VAR_OUT"))
+        return TokenKind::kw_var_output;
     std::size_t fewest = 2;
     for (const BlockRow& row : block_rows) {
         const auto opener = opener_of(static_cast<VariableBlock>(&row - block_rows));

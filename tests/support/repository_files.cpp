@@ -35,6 +35,10 @@ std::vector<RepositoryFile> repository_files(const std::vector<std::string_view>
     return files;
 }
 
+void PrintTo(const RepositoryFile& file, std::ostream* out) {
+    *out << file.path;
+}
+
 std::vector<RepositoryFile> example_programs() {
     return repository_files({"examples"}, {".st", ".il", ".iec"});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,9 @@ struct RepositoryFile {
     std::string path; ///< from the top of the repository, with `/`
     std::string text;
 };
+
+/// Prints the path: GoogleTest names tests by it.
+void PrintTo(const RepositoryFile& file, std::ostream* out);
 
 /// The files in these top-level folders whose names end in one of `extensions`, ordered by path.
 [[nodiscard]] std::vector<RepositoryFile>
