@@ -9,6 +9,10 @@
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/ast/token_classes.hpp>
 #include <iecfront/ast/visitor.hpp>
+#include <iecfront/compliance/annex_d.hpp>
+#include <iecfront/compliance/annex_e.hpp>
+#include <iecfront/compliance/extensions.hpp>
+#include <iecfront/compliance/features.hpp>
 #include <iecfront/diagnostics/diagnostic.hpp>
 #include <iecfront/diagnostics/render_json.hpp>
 #include <iecfront/diagnostics/render_sarif.hpp>
