@@ -13,6 +13,7 @@
 #include <iecfront/compliance/annex_e.hpp>
 #include <iecfront/compliance/extensions.hpp>
 #include <iecfront/compliance/features.hpp>
+#include <iecfront/compliance/statement.hpp>
 #include <iecfront/diagnostics/diagnostic.hpp>
 #include <iecfront/diagnostics/render_json.hpp>
 #include <iecfront/diagnostics/render_sarif.hpp>

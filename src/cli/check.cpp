@@ -53,6 +53,7 @@ public:
         if (findings_.files == 0 && findings_.determination == Determination::no_violations)
             findings_.determination = Determination::incomplete;
         switch (settings_.options.format) {
+        case Format::markdown: // no format of this command
         case Format::text: print(summary()); break;
         case Format::json: print_json(); break;
         case Format::sarif: print_sarif(); break;

@@ -67,6 +67,12 @@ void set_tree_or_json(Options& options, std::string_view value) {
     options.format = choose<Format>("--format", value, formats);
 }
 
+void set_statement_format(Options& options, std::string_view value) {
+    constexpr std::array<Choice<Format>, 3> formats = {
+        {{"text", Format::text}, {"markdown", Format::markdown}, {"json", Format::json}}};
+    options.format = choose<Format>("--format", value, formats);
+}
+
 void set_colour(Options& options, std::string_view value) {
     constexpr std::array<Choice<Colour>, 3> colours = {
         {{"auto", Colour::automatic}, {"always", Colour::always}, {"never", Colour::never}}};
@@ -177,6 +183,10 @@ constexpr std::array ast_options = {
 constexpr std::array explain_options = {
     OptionRow{"--list", "", "list every code with its name and message", set_list},
 };
+constexpr std::array compliance_options = {
+    OptionRow{"--format", "text|markdown|json", "how to print (default: text)",
+              set_statement_format},
+};
 
 // ---- commands
 // ------------------------------------------------------------------------------------
@@ -226,9 +236,20 @@ exit status: 0, or 2 for wrong usage or an input that could not be read
 )";
 
 constexpr std::string_view explain_details =
-    R"(CODE is a code (IEC2001) or a name (missing-semicolon), in any case.
+    R"(WHAT is a code (IEC2001), a name of a diagnostic or an extension
+(missing-semicolon, line-comment), or a feature of the standard's feature
+tables: 4.2 is feature 2 of Table 4, 3a.1 feature 1 of Table 3 a).
 
-exit status: 0, or 2 when there is no such diagnostic
+exit status: 0, or 2 when there is no such thing
+)";
+
+constexpr std::string_view compliance_details =
+    R"(Prints what IEC 61131-3:2003, 1.5.1 wants told of a product: which features of
+the language are supported, how the requirements are met, the values of the
+implementation-dependent parameters (Annex D), how each error is treated
+(Annex E), and the extensions. It reads no files.
+
+exit status: 0, or 2 for wrong usage
 )";
 
 constexpr std::array command_table = {
@@ -238,8 +259,10 @@ constexpr std::array command_table = {
             run_tokens},
     Command{"ast", inputs, "print the syntax trees of source texts", ast_details, ast_options,
             run_ast},
-    Command{"explain", "CODE...", "explain diagnostics", explain_details, explain_options,
-            run_explain},
+    Command{"explain", "WHAT...", "explain diagnostics, extensions and features", explain_details,
+            explain_options, run_explain},
+    Command{"compliance", "", "print the compliance statement", compliance_details,
+            compliance_options, run_compliance},
 };
 
 } // namespace

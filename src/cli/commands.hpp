@@ -32,5 +32,6 @@ struct Command {
 [[nodiscard]] Status run_tokens(const Options& options);
 [[nodiscard]] Status run_ast(const Options& options);
 [[nodiscard]] Status run_explain(const Options& options);
+[[nodiscard]] Status run_compliance(const Options& options);
 
 } // namespace iecfront::cli

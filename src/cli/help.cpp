@@ -28,9 +28,9 @@ std::string help() {
 }
 
 std::string help(const Command& command) {
-    std::string out = "usage: iecfront " + std::string(command.name) + " [OPTION...] " +
-                      std::string(command.operands) + "\n\n" + std::string(command.details) +
-                      "\noptions:\n";
+    std::string out = "usage: iecfront " + std::string(command.name) + " [OPTION...]";
+    out += command.operands.empty() ? "" : " " + std::string(command.operands);
+    out += "\n\n" + std::string(command.details) + "\noptions:\n";
     for (const OptionRow& option : command.options)
         out +=
             row(option.value.empty() ? std::string(option.name)

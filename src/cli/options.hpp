@@ -16,7 +16,7 @@
 
 namespace iecfront::cli {
 
-enum class Format { text, json, sarif };
+enum class Format { text, json, sarif, markdown };
 enum class Colour { automatic, always, never };
 
 /// What a command was told.

@@ -63,7 +63,9 @@ TEST_F(Usage, AMistakeIsOneLineAndWhereToFindHelp) {
         {{"ast", "--format=text", "x"},
          "`text` is no value for `--format`: tree or json",
          "iecfront ast --help"},
-        {{"explain"}, "name a code, as in `iecfront explain IEC2001`", "iecfront explain --help"},
+        {{"explain"},
+         "name a code or a feature, as in `iecfront explain IEC2001`",
+         "iecfront explain --help"},
     };
     for (const WrongUsage& row : rows) {
         const Outcome outcome = run(row.arguments);
