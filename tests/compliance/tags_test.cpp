@@ -62,7 +62,7 @@ void add_formal_syntax(Tags& tags) {
             tags.insert(production.name);
     const std::regex id(R"(\n(?:\| ([DAR]\d+) \||#+ (B\.[\d.]*\d) |#+ [^\n(]*\((B\.\d+)\)\n))");
     for (std::sregex_iterator it(document.begin(), document.end(), id), end; it != end; ++it)
-        for (const std::size_t group : {1, 2, 3})
+        for (std::size_t group = 1; group <= 3; ++group)
             if ((*it)[group].matched)
                 add_clause(tags, (*it)[group]);
 }
