@@ -497,10 +497,13 @@ const ast::AccessDeclaration* Parser::parse_access_declaration(Place place) {
     expect_colon();
     node->specification = parse_type_specification();
     check_element_type_of_access(*node->specification);
-    if (at(TokenKind::kw_read_only) || at(TokenKind::kw_read_write))
-        node->direction = tokens_[advance()].kind() == TokenKind::kw_read_only
-                              ? ast::Direction::read_only
-                              : ast::Direction::read_write;
+    const auto accept_direction = [this](TokenKind word) {
+        return accept(word) || accept_misspelt_word(word);
+    };
+    if (accept_direction(TokenKind::kw_read_only))
+        node->direction = ast::Direction::read_only;
+    else if (accept_direction(TokenKind::kw_read_write))
+        node->direction = ast::Direction::read_write;
     finish(node);
     expect_semicolon_of_declaration();
     return node;

@@ -431,9 +431,11 @@ const ast::Expression* Parser::parse_subscripts(const ast::Expression* head) {
     advance();
     ListBuilder<ast::Expression> subscripts(*this);
     const bool outer = std::exchange(in_condition_, false);
+    std::optional<Report> semicolons;
     do
         subscripts.add(parse_expression());
-    while (accept(TokenKind::comma) || accept_missing_comma());
+    while (accept(TokenKind::comma) || accept_missing_comma() ||
+           accept_semicolon_for_comma(TokenKind::right_bracket, semicolons));
     in_condition_ = outer;
     expect(TokenKind::right_bracket);
     node->subscripted_variable = head;

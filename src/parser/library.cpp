@@ -3,12 +3,19 @@
 
 #include <iecfront/lexer/name.hpp>
 
+#include <algorithm>
+
 namespace iecfront {
 namespace {
 
 constexpr TokenSet openers{TokenKind::kw_type,           TokenKind::kw_function,
                            TokenKind::kw_function_block, TokenKind::kw_program,
                            TokenKind::kw_configuration,  TokenKind::kw_var_global};
+
+// Opening words that a misspelt one is compared with.
+constexpr TokenKind elements_with_words[] = {TokenKind::kw_function_block, TokenKind::kw_function,
+                                             TokenKind::kw_program, TokenKind::kw_configuration,
+                                             TokenKind::kw_type};
 
 } // namespace
 
@@ -25,8 +32,10 @@ const ast::LibraryUnit* Parser::parse_library_unit() {
                                tokens_[opener_].kind() == TokenKind::kw_var_global &&
                                misspelt_opener(at_) == TokenKind::kw_configuration;
     if (!misused && !configuration)
-        skip_stray_text(elements, opener_ < count_ ? opener_ : find_misspelt_opener());
-    if (!at_end()) {
+        parse_misspelt_elements(elements);
+    if (at_ > opener_) {
+        skip_stray_text(elements, count_);
+    } else if (!at_end()) {
         elements.add(parse_library_element());
         accept_extra_semicolon();
         skip_stray_text(elements, count_);
@@ -47,6 +56,7 @@ const ast::Node* Parser::parse_library_element() {
         const std::string meant(spelling(opener));
         report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
             .replace(token().range(), meant);
+        ++unclosed(closer_of(opener));
     }
     switch (opener) {
     case TokenKind::kw_type: return parse_data_type_declaration();
@@ -68,9 +78,7 @@ TokenKind Parser::misspelt_opener(std::uint32_t index) const noexcept {
     if (tokens_[index].kind() != TokenKind::identifier ||
         tokens_[next(index)].kind() != TokenKind::identifier)
         return TokenKind::end_of_unit;
-    for (const TokenKind opener :
-         {TokenKind::kw_function_block, TokenKind::kw_function, TokenKind::kw_program,
-          TokenKind::kw_configuration, TokenKind::kw_type})
+    for (const TokenKind opener : elements_with_words)
         if (is_misspelling(text(index), spelling(opener)))
             return opener;
     return TokenKind::end_of_unit;
@@ -97,24 +105,71 @@ void Parser::skip_stray_text(ListBuilder<ast::Node>& elements, std::uint32_t end
     if (at_ >= end)
         return;
     auto* skipped = make<ast::SkippedText>();
-    report_at(at_, DiagnosticId::expected_library_element, {describe(at_)});
+    if (!behind_unclosed_comment())
+        report_at(at_, DiagnosticId::expected_library_element, {describe(at_)});
     while (at_ < end)
         advance();
     elements.add(finish(skipped));
 }
 
-/// Where a declaration begins whose opening word is misspelt; only looked for when a closing word
-/// ends the unit.
+/// True when a comment or pragma before the cursor is not closed. It has taken its line along, and
+/// perhaps the head of a declaration in it.
+bool Parser::behind_unclosed_comment() const noexcept {
+    struct Marks {
+        std::string_view opening, closing;
+    };
+    static constexpr Marks all[] = {{"(*", "*)"}, {"{", "}"}, {"/*", "*/"}, {"//", "\n"}};
+    const std::uint32_t begin = at_ > 0 ? tokens_[at_ - 1].end() : 0;
+    std::string_view gap = text_.substr(begin, token().offset() - begin);
+    while (!gap.empty()) {
+        const auto* const marks =
+            std::find_if(std::begin(all), std::end(all),
+                         [gap](const Marks& m) { return gap.starts_with(m.opening); });
+        const bool comment = marks != std::end(all);
+        const std::size_t end = comment ? gap.find(marks->closing, marks->opening.size()) : 0;
+        if (end == gap.npos)
+            return true;
+        gap.remove_prefix(comment ? end + marks->closing.size() : 1);
+    }
+    return false;
+}
+
+/// What stands before the opener: declarations whose own opening words are misspelt, or text that
+/// belongs to nothing.
+void Parser::parse_misspelt_elements(ListBuilder<ast::Node>& elements) {
+    for (;;) {
+        const std::uint32_t begin = find_misspelt_opener();
+        skip_stray_text(elements, begin);
+        if (at_ >= opener_)
+            return;
+        elements.add(parse_library_element());
+        accept_extra_semicolon();
+    }
+}
+
+/// Where a declaration begins whose opening word is misspelt, or the opener when there is none;
+/// only looked for when a closing word, which can be misspelt as well, stands before that.
 std::uint32_t Parser::find_misspelt_opener() const noexcept {
-    std::uint32_t last = count_;
-    while (last > 0 && tokens_[last - 1].kind() == TokenKind::semicolon)
+    std::uint32_t last = opener_;
+    while (last > at_ && tokens_[last - 1].kind() == TokenKind::semicolon)
         --last;
-    if (last == 0 || !library_element_closers.contains(tokens_[last - 1].kind()))
-        return count_;
+    if (last <= at_ || !ends_library_element(last - 1))
+        return opener_;
     std::uint32_t i = at_;
-    while (i != count_ && misspelt_opener(i) == TokenKind::end_of_unit)
+    while (i < opener_ && misspelt_opener(i) == TokenKind::end_of_unit)
         i = next(i);
     return i;
+}
+
+/// True at the closing word of a library element, also a misspelt one.
+bool Parser::ends_library_element(std::uint32_t index) const noexcept {
+    const TokenKind here = tokens_[index].kind();
+    return library_element_closers.contains(here) ||
+           (here == TokenKind::identifier &&
+            std::any_of(std::begin(elements_with_words), std::end(elements_with_words),
+                        [&](TokenKind opener) {
+                            return is_misspelling(text(index), spelling(closer_of(opener)));
+                        }));
 }
 
 /// Some dialects have a `;` behind closing words and heads of declarations.

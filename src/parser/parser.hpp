@@ -279,6 +279,7 @@ private:
     /// How many more blocks of this kind begin in the unit than are closed.
     [[nodiscard]] std::int32_t& unclosed(TokenKind closer);
     void count_as_name(TokenKind word);
+    [[nodiscard]] static TokenKind closer_of(TokenKind opener) noexcept;
     [[nodiscard]] bool opens_block(TokenKind word);
     [[nodiscard]] bool at_declaration_start() const noexcept;
     [[nodiscard]] bool at_statement_start() const noexcept;
@@ -334,7 +335,8 @@ private:
     [[nodiscard]] bool at_bounds_with_dash() const noexcept;
     [[nodiscard]] bool at_bounds_as_real() const noexcept;
     bool accept_between_bounds();
-    bool accept_semicolon_for_comma();
+    bool accept_semicolon_for_comma(TokenKind bracket, std::optional<Report>& first);
+    [[nodiscard]] bool list_closes_on_line(TokenKind bracket) const noexcept;
     const ast::TypeSpecification* parse_enumerated_specification();
     ast::List<ast::EnumeratedValueDeclaration> parse_enumerated_value_list();
     const ast::TypeSpecification* parse_enumeration_of(const ast::TypeSpecification* base);
@@ -381,6 +383,7 @@ private:
                               const ast::VariableDeclarations& block);
     const ast::Identifier* parse_variable_name(const ast::VariableDeclarations& block);
     const ast::Location* parse_optional_location();
+    [[nodiscard]] std::uint32_t end_of_location_without_sign() const noexcept;
     void check_declaration(const ast::VariableDeclaration& declaration,
                            const ast::VariableDeclarations& block, Place place);
     [[nodiscard]] bool has_derivable_value(const ast::VariableDeclaration& declaration,
@@ -402,6 +405,7 @@ private:
     const ast::Identifier* parse_unit_name(std::string what);
     [[nodiscard]] bool at_keyword_for_unit_name();
     const ast::TypeSpecification* parse_result_type();
+    void skip_parameters();
     void skip_rest_of_head();
     const ast::Body* parse_body();
     const ast::Body* parse_empty_body();
@@ -538,6 +542,7 @@ private:
     [[nodiscard]] bool at_misspelt_elsif() const noexcept;
     [[nodiscard]] bool at_misspelt_else() const noexcept;
     [[nodiscard]] bool at_misspelt_until() const noexcept;
+    [[nodiscard]] bool at_while_for_until();
     void open_statement(TokenKind opener, TokenKind closer);
     [[nodiscard]] TokenKind missing_opener();
     [[nodiscard]] std::uint32_t find_on_line(TokenKind word) const noexcept;
@@ -552,6 +557,7 @@ private:
     const ast::Statement* parse_misplaced_declarations();
     const ast::Statement* parse_too_deep_statement();
     const ast::ErrorStatement* expect_semicolon_of_statement(const ast::Statement& statement);
+    [[nodiscard]] bool at_condition_behind_statement();
     const ast::Statement* parse_simple_statement();
     void expect_assign();
     [[nodiscard]] static bool is_variable(const ast::Expression& expression) noexcept;
@@ -581,6 +587,7 @@ private:
     void expect_word(TokenKind word);
     [[nodiscard]] bool at_word_of_other_language(TokenKind word) const noexcept;
     [[nodiscard]] bool at_case_label() const noexcept;
+    [[nodiscard]] bool at_label_in_parentheses() const noexcept;
     const ast::Statement* parse_for_statement();
     const ast::Statement* parse_loop(ast::ForStatement* node);
     [[nodiscard]] bool loop_head_of_other_language() const noexcept;
@@ -661,7 +668,10 @@ private:
     const ast::Node* parse_library_element();
     bool accept_split_opener();
     void skip_stray_text(ListBuilder<ast::Node>& elements, std::uint32_t end);
+    [[nodiscard]] bool behind_unclosed_comment() const noexcept;
+    void parse_misspelt_elements(ListBuilder<ast::Node>& elements);
     [[nodiscard]] std::uint32_t find_misspelt_opener() const noexcept;
+    [[nodiscard]] bool ends_library_element(std::uint32_t index) const noexcept;
     [[nodiscard]] TokenKind misspelt_opener(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_library_element_closer() const noexcept;
     void accept_extra_semicolon();

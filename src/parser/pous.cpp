@@ -15,6 +15,7 @@ const ast::FunctionDeclaration* Parser::parse_function_declaration() {
     place_ = Place::function;
     open_block(TokenKind::kw_end_function, advance());
     node->name = parse_unit_name("the name of a function");
+    skip_parameters();
     node->result_type = parse_result_type();
     skip_rest_of_head();
     node->declarations = parse_declaration_blocks(place_);
@@ -40,6 +41,26 @@ bool Parser::at_keyword_for_unit_name() {
     if (at(block_statements))
         return !opens_block(kind());
     return peek() == TokenKind::identifier || is_keyword(peek());
+}
+
+/// `FUNCTION f(a : INT; b : INT)`: the parameters of other languages, which are passed over.
+void Parser::skip_parameters() {
+    if (!at(TokenKind::left_parenthesis) || token().first_on_line())
+        return;
+    const std::uint32_t open = at_;
+    std::uint32_t depth = 0;
+    do {
+        depth += at(TokenKind::left_parenthesis) ? 1 : 0;
+        depth -= at(TokenKind::right_parenthesis) ? 1 : 0;
+        advance();
+    } while (depth > 0 && !at(block_openers) && !at(unit_ends) && !at(statement_words) &&
+             !(token().first_on_line() && at_statement_start()));
+    const TextRange parentheses = token_range(open, end_);
+    Report parameters = report(DiagnosticId::parameters_in_head, parentheses);
+    if (end_ == next(open) + 1)
+        parameters.remove(parentheses);
+    if (depth > 0)
+        reported_at_ = at_; // the rest of the head may be among them
 }
 
 // ":" ( elementary_type_name | derived_type_name )
@@ -104,6 +125,7 @@ const ast::FunctionBlockDeclaration* Parser::parse_function_block_declaration() 
     place_ = Place::function_block;
     open_block(TokenKind::kw_end_function_block, advance());
     node->name = parse_unit_name("the name of a function block type");
+    skip_parameters();
     skip_rest_of_head();
     node->declarations = parse_declaration_blocks(place_);
     node->body = parse_body();
@@ -122,6 +144,7 @@ const ast::ProgramDeclaration* Parser::parse_program_declaration() {
     place_ = Place::program;
     open_block(TokenKind::kw_end_program, advance());
     node->name = parse_unit_name("the name of a program type");
+    skip_parameters();
     skip_rest_of_head();
     node->declarations = parse_declaration_blocks(place_);
     node->body = parse_body();

@@ -74,6 +74,12 @@ std::int32_t& Parser::unclosed(TokenKind closer) {
     return unclosed_[static_cast<std::size_t>(closer)];
 }
 
+TokenKind Parser::closer_of(TokenKind opener) noexcept {
+    return std::find_if(std::begin(blocks), std::end(blocks),
+                        [opener](const BlockWords& words) { return words.opener == opener; })
+        ->closer;
+}
+
 /// A keyword that is meant as a name opens and closes nothing.
 void Parser::count_as_name(TokenKind word) {
     for (const BlockWords& words : blocks)
@@ -120,7 +126,8 @@ bool Parser::at_misspelt_closer() const noexcept {
         return after == TokenKind::semicolon || after == TokenKind::end_of_unit;
     }
     const bool alone = after == TokenKind::semicolon || tokens_[next(at_)].first_on_line() ||
-                       after == TokenKind::end_of_unit || chart_openers.contains(after);
+                       after == TokenKind::end_of_unit || chart_openers.contains(after) ||
+                       closers.contains(after);
     return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer));
 }
 

@@ -9,14 +9,6 @@
 namespace iecfront {
 namespace {
 
-TokenKind closer_of(TokenKind opener) noexcept {
-    switch (opener) {
-    case TokenKind::kw_transition: return TokenKind::kw_end_transition;
-    case TokenKind::kw_action: return TokenKind::kw_end_action;
-    default: return TokenKind::kw_end_step;
-    }
-}
-
 TokenKind opener_of(TokenKind closer) noexcept {
     switch (closer) {
     case TokenKind::kw_end_step: return TokenKind::kw_step;

@@ -76,11 +76,11 @@ bool Parser::at_end_of_statements() {
     if (innermost == TokenKind::kw_end_case && (at_case_label() || at_repeated_case()))
         return !open_.back().in_else;
     if ((innermost == TokenKind::kw_end_if && at_misspelt_elsif()) || at_misspelt_else() ||
-        at_misspelt_until())
+        at_misspelt_until() || at_while_for_until())
         return true;
     // A label inside another statement: that statement is not closed.
-    if (token().first_on_line() && is_open(TokenKind::kw_end_case) && at_case_label() &&
-        unclosed(innermost) > 0)
+    if ((token().first_on_line() || at(TokenKind::integer)) && is_open(TokenKind::kw_end_case) &&
+        at_case_label() && unclosed(innermost) > 0)
         return true;
     return (at_misspelt_closer() || at_outdented_statement()) && unclosed(innermost) > 0;
 }
@@ -135,6 +135,12 @@ bool Parser::at_misspelt_until() const noexcept {
     return at(TokenKind::identifier) && open_.back().closer == TokenKind::kw_end_repeat &&
            is_misspelling(text(at_), spelling(TokenKind::kw_until)) &&
            begins_operand_on_line(next(at_));
+}
+
+/// `WHILE condition;` before END_REPEAT, as other languages end this loop.
+bool Parser::at_while_for_until() {
+    return at(TokenKind::kw_while) && open_.back().closer == TokenKind::kw_end_repeat &&
+           unclosed(TokenKind::kw_end_while) > 0 && find_on_line(TokenKind::kw_do) == count_;
 }
 
 bool Parser::begins_operand_on_line(std::uint32_t index) const noexcept {
@@ -267,10 +273,14 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
         report_unexpected("`;`");
         return nullptr;
     }
-    const bool missing =
-        (token().first_on_line() && !at_semicolon_look_alike()) || statement_follows ||
-        at(part_words) || at(block_openers) || at_end_of_statements() || at(statement_closers) ||
-        at(TokenKind::kw_else) || at(TokenKind::kw_elsif) || at(TokenKind::kw_until);
+    const bool condition_behind = at_condition_behind_statement();
+    if (condition_behind)
+        count_as_name(kind()); // it opens nothing
+    const bool missing = (token().first_on_line() && !at_semicolon_look_alike()) ||
+                         (statement_follows && !condition_behind) || at(part_words) ||
+                         at(block_openers) || at_end_of_statements() || at(statement_closers) ||
+                         at(TokenKind::kw_else) || at(TokenKind::kw_elsif) ||
+                         at(TokenKind::kw_until);
     if (missing) {
         report_missing_semicolon();
         return nullptr;
@@ -284,6 +294,13 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
     const ast::ErrorStatement* rest = skip_statement();
     accept(TokenKind::semicolon);
     return rest;
+}
+
+/// `x := 1 IF a;`, as other languages have it.
+bool Parser::at_condition_behind_statement() {
+    return at(TokenKind::kw_if) && !token().first_on_line() && unclosed(TokenKind::kw_end_if) > 0 &&
+           find_on_line(TokenKind::kw_then) == count_ &&
+           find_on_line(TokenKind::semicolon) < count_;
 }
 
 // ---- statements ---------------------------------------------------------------------------------
@@ -369,6 +386,11 @@ const ast::Statement* Parser::parse_word_statement() {
     if (at(TokenKind::kw_exit)) {
         auto* exit = make<ast::ExitStatement>();
         advance();
+        if (at(block_statements) && peek() == TokenKind::semicolon && !token().first_on_line()) {
+            report_unexpected("`;`").remove(token().range()); // `EXIT FOR;`
+            count_as_name(kind());
+            advance();
+        }
         return finish(exit);
     }
     auto* node = make<ast::ReturnStatement>();
@@ -803,6 +825,8 @@ const ast::Statement* Parser::parse_case_without_head() {
 
 /// True when a label begins here: a constant or name with `:`, `,` or `..` behind it.
 bool Parser::at_case_label() const noexcept {
+    if (at(TokenKind::left_parenthesis))
+        return at_label_in_parentheses();
     std::uint32_t label = at_;
     if (at(TokenKind::minus) || at(TokenKind::plus))
         label = next(label);
@@ -834,6 +858,16 @@ bool Parser::at_case_label() const noexcept {
     case TokenKind::dot_dot: return true;
     default: return false;
     }
+}
+
+/// `(1):`, which no statement begins with.
+bool Parser::at_label_in_parentheses() const noexcept {
+    std::uint32_t i = next(at_);
+    for (std::uint32_t steps = 0; steps < furthest_on_line && !tokens_[i].first_on_line();
+         i = next(i), ++steps)
+        if (tokens_[i].kind() == TokenKind::right_parenthesis)
+            return tokens_[next(i)].kind() == TokenKind::colon;
+    return false;
 }
 
 /// After ELSE the branches of a CASE are over. The label is passed over, what follows is read.
@@ -926,11 +960,11 @@ const ast::Statement* Parser::parse_for_statement() {
     auto* node = make<ast::ForStatement>();
     open_statement(TokenKind::kw_for, TokenKind::kw_end_for);
     std::optional<Report> parenthesis;
+    if (loop_head_of_other_language()) {
+        skip_loop_head(*node);
+        return parse_loop(node);
+    }
     if (at(TokenKind::left_parenthesis)) {
-        if (loop_head_of_other_language()) {
-            skip_loop_head(*node);
-            return parse_loop(node);
-        }
         parenthesis.emplace(report_unexpected("a variable").remove(token().range()));
         advance();
     }
@@ -944,6 +978,12 @@ const ast::Statement* Parser::parse_for_statement() {
     if (!node->control_variable->missing &&
         node->control_variable->kind != ast::NodeKind::variable_name)
         report_node(*node->control_variable, DiagnosticId::control_variable);
+    if (at(TokenKind::colon) && peek_second() == TokenKind::assign) { // `FOR i : INT := 1`
+        const TextRange type = token_range(at_, next(at_) + 1);
+        report(DiagnosticId::declaration_after_body, type).remove(type);
+        advance();
+        advance();
+    }
     parse_for_list(*node);
     if (parenthesis && at(TokenKind::right_parenthesis))
         parenthesis->also_remove(tokens_[advance()].range());
@@ -957,13 +997,22 @@ const ast::Statement* Parser::parse_loop(ast::ForStatement* node) {
     return finish(node);
 }
 
-/// At `(` behind FOR: true when a `;` stands in the parentheses, as in C.
+/// Behind FOR: true at a head with `;` in it, as in C, or at `x IN a DO`.
 bool Parser::loop_head_of_other_language() const noexcept {
+    const bool parentheses = at(TokenKind::left_parenthesis);
+    if (at(TokenKind::identifier) && names_equal(text(next(at_)), "IN"))
+        return find_on_line(TokenKind::dot_dot) == count_ &&
+               find_on_line(TokenKind::kw_to) == count_;
     std::uint32_t i = next(at_);
     while (i < count_ && !tokens_[i].first_on_line() && !part_words.contains(tokens_[i].kind()) &&
            tokens_[i].kind() != TokenKind::semicolon)
         i = next(i);
-    return tokens_[i].kind() == TokenKind::semicolon && !tokens_[i].first_on_line();
+    if (tokens_[i].kind() != TokenKind::semicolon || tokens_[i].first_on_line() || parentheses)
+        return tokens_[i].kind() == TokenKind::semicolon && !tokens_[i].first_on_line();
+    while (i < count_ && !tokens_[i].first_on_line() && !part_words.contains(tokens_[i].kind()) &&
+           !statement_words.contains(tokens_[i].kind()))
+        i = next(i);
+    return tokens_[i].kind() == TokenKind::kw_do && !tokens_[i].first_on_line();
 }
 
 /// Passes over a head like `(i := 1; i < 3; i := i + 1)`.
@@ -973,7 +1022,7 @@ void Parser::skip_loop_head(ast::ForStatement& loop) {
     while (!at_end() && !at(TokenKind::kw_do) && (at_ == first || !token().first_on_line()))
         advance();
     report(DiagnosticId::unexpected_token, token_range(first, end_),
-           {"`variable := first TO last DO`", "the head of a loop in parentheses"});
+           {"`variable := first TO last DO`", "the head of a loop in another language"});
     loop.control_variable = finish(head);
     loop.from = make_missing<ast::ErrorExpression>();
     loop.to = make_missing<ast::ErrorExpression>();
@@ -982,7 +1031,11 @@ void Parser::skip_loop_head(ast::ForStatement& loop) {
 
 // ":=" expression "TO" expression [ "BY" expression ]
 void Parser::parse_for_list(ast::ForStatement& loop) {
-    if (at(TokenKind::kw_to)) {
+    std::optional<Report> in;
+    if (at_word("IN") && find_on_line(TokenKind::dot_dot) < count_) {
+        in.emplace(accept_as(TokenKind::assign)); // `x IN 1..3`
+        loop.from = parse_expression();
+    } else if (at(TokenKind::kw_to)) {
         report_missing(DiagnosticId::missing_token, {"`:=` with a first value"});
         loop.from = make_missing<ast::ErrorExpression>();
     } else {
@@ -1008,6 +1061,10 @@ void Parser::parse_for_list(ast::ForStatement& loop) {
     }
     if (at_word("DOWNTO")) {
         report_unexpected("`TO` with `BY` and a negative step");
+        advance();
+    } else if (in && *in && at(TokenKind::dot_dot)) {
+        const TextRange dots = token().range();
+        diagnostics_[in->index()].fixes.front().edits.push_back({dots, spaced("TO", dots)});
         advance();
     } else {
         expect_word(TokenKind::kw_to);
@@ -1045,12 +1102,20 @@ const ast::Statement* Parser::parse_repeat_statement() {
     open_statement(TokenKind::kw_repeat, TokenKind::kw_end_repeat);
     node->statements = parse_statement_list("after REPEAT");
     const bool misspelt = at_misspelt_until();
-    if (misspelt)
+    std::optional<Report> while_for_until;
+    if (misspelt) {
         accept_misspelt(TokenKind::kw_until);
-    if (misspelt || accept(TokenKind::kw_until)) {
+    } else if (at_while_for_until()) {
+        --unclosed(TokenKind::kw_end_while);
+        while_for_until.emplace(accept_as(TokenKind::kw_until));
+    }
+    if (misspelt || while_for_until || accept(TokenKind::kw_until)) {
         node->condition = parse_condition();
         if (at(TokenKind::semicolon) && peek() == TokenKind::kw_end_repeat) {
-            report_unexpected("`END_REPEAT`").remove(token().range());
+            if (while_for_until && *while_for_until)
+                while_for_until->also_remove(token().range());
+            else
+                report_unexpected("`END_REPEAT`").remove(token().range());
             advance();
         }
     } else if (at(TokenKind::kw_end_repeat) && peek() == TokenKind::kw_until) {

@@ -181,10 +181,19 @@ const ast::TypeSpecification* Parser::parse_type_name() {
 const ast::TypeSpecification* Parser::parse_derived_type() {
     if (at_pointer_type())
         return parse_pointer_type();
+    const bool names_follow =
+        peek() == TokenKind::left_parenthesis && peek_second() == TokenKind::identifier;
+    if (names_follow && at_word("ENUM")) { // as other languages have it
+        report_unexpected("`(`").remove(token().range());
+        advance();
+        return parse_enumerated_specification();
+    }
     const ast::TypeSpecification* name = parse_type_name();
     if (!at(TokenKind::left_parenthesis))
         return name;
-    if (peek() == TokenKind::right_parenthesis || peek_second() == TokenKind::assign) {
+    const TokenKind behind = peek_second();
+    if (peek() == TokenKind::right_parenthesis || behind == TokenKind::assign ||
+        (names_follow && (behind == TokenKind::comma || behind == TokenKind::right_parenthesis))) {
         report_at(at_, DiagnosticId::instance_arguments);
         parse_arguments();
         return name;
@@ -353,9 +362,14 @@ const ast::TypeSpecification* Parser::parse_enumerated_specification() {
 ast::List<ast::EnumeratedValueDeclaration> Parser::parse_enumerated_value_list() {
     advance();
     ListBuilder<ast::EnumeratedValueDeclaration> values(*this);
-    do
-        values.add(parse_enumerated_value_declaration());
-    while (accept(TokenKind::comma) || (at(TokenKind::identifier) && accept_missing_comma()));
+    std::optional<Report> semicolons;
+    const ast::EnumeratedValueDeclaration* value = nullptr;
+    do {
+        if (value != nullptr && value->name->missing && at(TokenKind::integer))
+            reported_at_ = at_; // a list of numbers is one mistake
+        values.add(value = parse_enumerated_value_declaration());
+    } while (accept(TokenKind::comma) || (at(TokenKind::identifier) && accept_missing_comma()) ||
+             accept_semicolon_for_comma(TokenKind::right_parenthesis, semicolons));
     expect_closing(TokenKind::right_parenthesis);
     return values.finish();
 }
@@ -693,18 +707,38 @@ const ast::Expression* Parser::parse_enumerated_value() {
     return finish(node);
 }
 
-/// `[1; 2]`, when a value and then `;` or `]` follow in the line.
-bool Parser::accept_semicolon_for_comma() {
-    static constexpr TokenSet behind_value{TokenKind::semicolon, TokenKind::comma,
-                                           TokenKind::right_bracket};
-    const std::uint32_t value = next(at_);
-    const std::uint32_t behind = next(value);
-    if (!at(TokenKind::semicolon) || !on_same_line(at_, behind) ||
-        !behind_value.contains(tokens_[behind].kind()))
+/// `[1; 2]`, when the list goes on behind the `;` and is closed in this line. All of them are one
+/// mistake: `first` is its report.
+bool Parser::accept_semicolon_for_comma(TokenKind bracket, std::optional<Report>& first) {
+    if (!at(TokenKind::semicolon) || peek() == bracket || !list_closes_on_line(bracket))
         return false;
-    report_unexpected("`,`").replace(token().range(), ",");
+    if (!first)
+        first.emplace(report_unexpected("`,`").replace(token().range(), ","));
+    else if (*first)
+        diagnostics_[first->index()].fixes.front().edits.push_back({token().range(), ","});
     advance();
     return true;
+}
+
+/// True when nothing but elements of a list stand between the cursor and `bracket`.
+bool Parser::list_closes_on_line(TokenKind bracket) const noexcept {
+    static constexpr TokenSet not_in_list =
+        statement_words | block_openers | TokenSet{TokenKind::assign, TokenKind::colon};
+    static constexpr TokenSet opening_brackets{TokenKind::left_parenthesis,
+                                               TokenKind::left_bracket};
+    std::uint32_t depth = 0;
+    std::uint32_t i = at_;
+    for (std::uint32_t steps = 0; steps < furthest_on_line; ++steps) {
+        const TokenKind here = tokens_[i].kind();
+        if (here == TokenKind::end_of_unit || not_in_list.contains(here) ||
+            tokens_[next(i)].first_on_line())
+            break;
+        if (closing_brackets.contains(here) && depth-- == 0)
+            return here == bracket;
+        depth += opening_brackets.contains(here) ? 1 : 0;
+        i = next(i);
+    }
+    return depth == 0 && tokens_[i].kind() == bracket;
 }
 
 // array_initialization = "[" array_initial_elements { "," array_initial_elements } "]" ;
@@ -717,9 +751,12 @@ const ast::Expression* Parser::parse_array_initialization() {
     if (!parentheses)
         advance();
     ListBuilder<ast::Expression> elements(*this);
+    std::optional<Report> semicolons;
+    const TokenKind bracket = parentheses ? TokenKind::right_parenthesis : TokenKind::right_bracket;
     do
         elements.add(parse_array_initial_elements());
-    while (accept(TokenKind::comma) || accept_missing_comma() || accept_semicolon_for_comma());
+    while (accept(TokenKind::comma) || accept_missing_comma() ||
+           accept_semicolon_for_comma(bracket, semicolons));
     if (parentheses)
         close_parenthesis_for_bracket(*parentheses);
     else

@@ -423,8 +423,14 @@ const ast::Location* Parser::parse_optional_location() {
         node->variable = parse_direct_variable();
         return finish(node);
     }
-    report_unexpected("a directly represented variable");
-    if (at(TokenKind::colon) || at(ends_of_declarations) || at(TokenKind::semicolon)) {
+    Report unexpected = report_unexpected("a directly represented variable");
+    if (const std::uint32_t end = end_of_location_without_sign(); end > at_) {
+        unexpected.insert(token().offset(), "%");
+        auto* error = make<ast::ErrorExpression>();
+        while (at_ < end)
+            advance();
+        node->variable = finish(error);
+    } else if (at(TokenKind::colon) || at(ends_of_declarations) || at(TokenKind::semicolon)) {
         node->variable = make_missing<ast::ErrorExpression>();
     } else {
         auto* error = make<ast::ErrorExpression>();
@@ -432,6 +438,18 @@ const ast::Location* Parser::parse_optional_location() {
         node->variable = finish(error);
     }
     return finish(node);
+}
+
+/// At `IX0.1`, a location that lacks its `%`: the token behind it; else the one at the cursor.
+std::uint32_t Parser::end_of_location_without_sign() const noexcept {
+    std::uint32_t last = at_;
+    while (tokens_[last + 1].offset() == tokens_[last].end() &&
+           (tokens_[last + 1].kind() == TokenKind::dot ||
+            tokens_[last + 1].kind() == TokenKind::integer))
+        ++last;
+    const TextRange range = token_range(at_, last + 1);
+    const std::string meant = "%" + std::string(text_.substr(range.begin, range.size()));
+    return at(TokenKind::identifier) && direct_variable_value(meant) ? last + 1 : at_;
 }
 
 /// `x : BOOL AT %IX1`, which is written `x AT %IX1 : BOOL`.
