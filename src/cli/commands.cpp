@@ -207,11 +207,11 @@ they can be repeated, the last one counts, and one for a code or name wins over
 one for a class.
 
 exit status:
-  0  nothing found, or warnings only
+  0  no violations found: nothing, or what the standard permits
   1  violations were found
   2  wrong usage, or an input could not be read
   3  nothing found, but something in the input was not examined: it is beyond a
-     limit, or in a language that this version does not read
+     limit
 )";
 
 constexpr std::string_view tokens_details =

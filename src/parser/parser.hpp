@@ -224,7 +224,8 @@ private:
     Report report_node(const ast::Node& node, DiagnosticId id, Arguments arguments = {});
     /// About something missing behind the last token that was consumed.
     Report report_missing(DiagnosticId id, Arguments arguments = {});
-    /// "expected {what}, found {the current token}".
+    /// "expected {what}, found {the current token}". A closing bracket that no operand follows gets
+    /// its removal as a fix.
     Report report_unexpected(std::string what);
     [[nodiscard]] std::uint32_t previous_end() const noexcept;
     [[nodiscard]] std::string spaced(std::string words, TextRange range) const;

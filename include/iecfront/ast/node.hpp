@@ -14,7 +14,7 @@
 /// Nodes are immutable values in the arena of a `Unit`: they live as long as it does, are never
 /// copied, and are free of virtual functions. A member pointer is null only where the grammar says
 /// optional and the part is not there; in the place of something mandatory that is missing stands
-/// an `Error...` node or an `Identifier` that `is_missing()`.
+/// an `Error...` node or an `Identifier` that is `missing`.
 namespace iecfront::ast {
 
 /// What a node is. See `nodes.def`.

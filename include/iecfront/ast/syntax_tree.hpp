@@ -120,7 +120,8 @@ public:
             return token().range().shifted(slot->offset);
         }
     };
-    /// The token that holds the byte at `offset`; nothing between tokens and in comments.
+    /// The token that holds the byte at `offset`; nothing between tokens, in comments, and from
+    /// `size()` on.
     [[nodiscard]] std::optional<TokenPlace> token_at(std::uint32_t offset) const noexcept;
     /// The last token that begins before `offset`: what an editor completes, or completes behind.
     /// Nothing before the first one.

@@ -18,11 +18,13 @@ namespace iecfront {
 
 /// An integer, bit string or Boolean literal: `-12`, `16#FF`, `UINT#5`, `BOOL#TRUE` (B.1.2.1).
 struct IntegerValue {
-    std::optional<TokenKind> type; ///< keyword before `#`: kw_int, kw_byte ...; kw_bool for `TRUE`
-    bool negative = false;         ///< only `INT#-5`; the sign of an untyped one is a token before
-    std::uint8_t base = 10;        ///< 2, 8, 10 or 16
-    bool overflow = false;         ///< above 2^64-1: `magnitude` is then 2^64-1
-    std::uint64_t magnitude = 0;   ///< without its sign; 1 for `TRUE`
+    /// The keyword before the `#`: kw_int, kw_byte ...; kw_bool for `TRUE`. Nothing when there is
+    /// none, and for another name, as in `MyInt#5` or `LD#5`: only the text has that.
+    std::optional<TokenKind> type;
+    bool negative = false;       ///< only `INT#-5`; the sign of an untyped one is a token before
+    std::uint8_t base = 10;      ///< 2, 8, 10 or 16
+    bool overflow = false;       ///< above 2^64-1: `magnitude` is then 2^64-1
+    std::uint64_t magnitude = 0; ///< without its sign; 1 for `TRUE`
 };
 
 /// A real literal: `3.14`, `LREAL#1.0E-3` (B.1.2.1).
