@@ -216,13 +216,15 @@ bool UnitCutter::opens_declaration(std::size_t i) const noexcept {
            ((behind_one_word || begins_declaration(i)) && goes_on_as_head(i) && !is_prose(i));
 }
 
-// `PROGRAM that does`: what follows the name begins no statement.
+// `PROGRAM that does`: what follows the name begins no statement. FUNCTION_BLOCK is no word of
+// prose.
 bool UnitCutter::is_prose(std::size_t i) const noexcept {
     const Token second = at(i + 2);
     const Token third = at(i + 3);
-    return tokens_[i].kind() != TokenKind::kw_type && second.kind() == TokenKind::identifier &&
-           !second.first_on_line() && third.kind() != TokenKind::assign &&
-           third.kind() != TokenKind::left_parenthesis;
+    return tokens_[i].kind() != TokenKind::kw_type &&
+           tokens_[i].kind() != TokenKind::kw_function_block &&
+           second.kind() == TokenKind::identifier && !second.first_on_line() &&
+           third.kind() != TokenKind::assign && third.kind() != TokenKind::left_parenthesis;
 }
 
 // While something is open, an opener begins a new unit (and leaves the old one unclosed) only where

@@ -105,33 +105,11 @@ void Parser::skip_stray_text(ListBuilder<ast::Node>& elements, std::uint32_t end
     if (at_ >= end)
         return;
     auto* skipped = make<ast::SkippedText>();
-    if (!behind_unclosed_comment())
+    if (!follows_unclosed() && !report_foreign_element())
         report_at(at_, DiagnosticId::expected_library_element, {describe(at_)});
     while (at_ < end)
         advance();
     elements.add(finish(skipped));
-}
-
-/// True when a comment or pragma before the cursor is not closed. It has taken its line along, and
-/// perhaps the head of a declaration in it.
-bool Parser::behind_unclosed_comment() const noexcept {
-    struct Marks {
-        std::string_view opening, closing;
-    };
-    static constexpr Marks all[] = {{"(*", "*)"}, {"{", "}"}, {"/*", "*/"}, {"//", "\n"}};
-    const std::uint32_t begin = at_ > 0 ? tokens_[at_ - 1].end() : 0;
-    std::string_view gap = text_.substr(begin, token().offset() - begin);
-    while (!gap.empty()) {
-        const auto* const marks =
-            std::find_if(std::begin(all), std::end(all),
-                         [gap](const Marks& m) { return gap.starts_with(m.opening); });
-        const bool comment = marks != std::end(all);
-        const std::size_t end = comment ? gap.find(marks->closing, marks->opening.size()) : 0;
-        if (end == gap.npos)
-            return true;
-        gap.remove_prefix(comment ? end + marks->closing.size() : 1);
-    }
-    return false;
 }
 
 /// What stands before the opener: declarations whose own opening words are misspelt, or text that

@@ -555,6 +555,7 @@ private:
     bool accept_by();
     [[nodiscard]] bool accept_misspelt_word(TokenKind word);
     const ast::Statement* parse_statement();
+    [[nodiscard]] bool at_statement_label() const noexcept;
     const ast::Statement* parse_misplaced_declarations();
     const ast::Statement* parse_too_deep_statement();
     const ast::ErrorStatement* expect_semicolon_of_statement(const ast::Statement& statement);
@@ -665,11 +666,17 @@ private:
     void check_il_subscripts(const ast::Expression& variable);
     void skip_line();
 
+    // ---- foreign_constructs.cpp
+    bool report_foreign_element();
+    [[nodiscard]] bool at_foreign_member() const noexcept;
+    void skip_foreign_member();
+    void accept_foreign_modifiers();
+    bool accept_foreign_heritage();
+
     // ---- library.cpp
     const ast::Node* parse_library_element();
     bool accept_split_opener();
     void skip_stray_text(ListBuilder<ast::Node>& elements, std::uint32_t end);
-    [[nodiscard]] bool behind_unclosed_comment() const noexcept;
     void parse_misspelt_elements(ListBuilder<ast::Node>& elements);
     [[nodiscard]] std::uint32_t find_misspelt_opener() const noexcept;
     [[nodiscard]] bool ends_library_element(std::uint32_t index) const noexcept;
@@ -687,9 +694,10 @@ private:
     std::uint32_t end_ = 0;               // one past the last token consumed
     std::uint32_t nesting_ = 0;
     bool nesting_reported_ = false;
-    bool in_condition_ = false;   // `:=` is taken for `=`
-    bool in_chart_ = false;       // the body, or what it is in an action of
-    bool closer_assumed_ = false; // the last closing word was missing, and its `;` with it
+    bool in_condition_ = false;     // `:=` is taken for `=`
+    bool in_chart_ = false;         // the body, or what it is in an action of
+    bool members_unclosed_ = false; // no METHOD further on has its closing word
+    bool closer_assumed_ = false;   // the last closing word was missing, and its `;` with it
     std::optional<std::uint32_t> reported_at_; // token of the last report
     std::optional<std::uint32_t> comma_assumed_at_;
     std::uint32_t il_parentheses_ = 0;      // of instructions, that are open

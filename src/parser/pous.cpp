@@ -26,6 +26,7 @@ const ast::FunctionDeclaration* Parser::parse_function_declaration() {
 
 /// The name may stand on the next line, but what begins a statement there is none.
 const ast::Identifier* Parser::parse_unit_name(std::string what) {
+    accept_foreign_modifiers();
     if (token().first_on_line() && at_statement_start())
         return make_missing_identifier(std::move(what));
     return at_keyword_for_unit_name() ? take_reserved_word() : parse_declared_name(std::move(what));
@@ -86,6 +87,8 @@ const ast::TypeSpecification* Parser::parse_result_type() {
 
 /// Whatever stands between the head of a program organization unit and its next line.
 void Parser::skip_rest_of_head() {
+    if (accept_foreign_heritage())
+        return;
     if (at(TokenKind::semicolon)) {
         accept_extra_semicolon_before_body();
         return;
@@ -165,6 +168,8 @@ ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place plac
             report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
                 .remove(token().range());
             advance();
+        } else if (at_foreign_member()) {
+            skip_foreign_member();
         } else {
             return blocks.finish();
         }

@@ -333,6 +333,18 @@ const ast::Statement* Parser::parse_statement() {
     }
     if (at(block_openers))
         return parse_misplaced_declarations();
+    if (at_foreign_member()) {
+        auto* member = make<ast::ErrorStatement>();
+        skip_foreign_member();
+        return finish(member);
+    }
+    if (at_statement_label()) {
+        auto* label = make<ast::ErrorStatement>();
+        report_at(at_, DiagnosticId::not_a_statement, {"a label"});
+        advance();
+        advance();
+        return finish(label);
+    }
     if ((at(TokenKind::identifier) || at_operand_keyword()) && peek() == TokenKind::colon &&
         (is_elementary_type_name(peek_second()) || peek_second() == TokenKind::kw_array)) {
         report_at(at_, DiagnosticId::declaration_after_body);
@@ -359,6 +371,14 @@ const ast::Statement* Parser::parse_statement() {
     }
     report_at(at_, DiagnosticId::not_a_statement, {quoted(at_)});
     return skip_statement();
+}
+
+/// `label: x := 1;`, as in instruction lists and other languages.
+bool Parser::at_statement_label() const noexcept {
+    const std::uint32_t third = next(next(at_));
+    return at(TokenKind::identifier) && token().first_on_line() && peek() == TokenKind::colon &&
+           tokens_[third].kind() == TokenKind::identifier &&
+           tokens_[next(third)].kind() == TokenKind::assign;
 }
 
 const ast::Statement* Parser::parse_misplaced_declarations() {

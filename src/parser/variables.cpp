@@ -265,8 +265,13 @@ TokenKind Parser::misspelt_qualifier() const noexcept {
 
 /// At `PERSISTENT` and its like of other dialects, on the line of the opening word.
 bool Parser::at_unknown_qualifier() const noexcept {
-    return at(TokenKind::identifier) && !token().first_on_line() && after_opener.contains(peek()) &&
-           (tokens_[next(at_)].first_on_line() || names_equal(text(at_), "PERSISTENT"));
+    if (!at(TokenKind::identifier) || token().first_on_line() || !after_opener.contains(peek()))
+        return false;
+    static constexpr std::array<std::string_view, 5> words = {"PERSISTENT", "PUBLIC", "PRIVATE",
+                                                              "PROTECTED", "INTERNAL"};
+    return tokens_[next(at_)].first_on_line() ||
+           std::any_of(words.begin(), words.end(),
+                       [this](std::string_view word) { return at_word(word); });
 }
 
 void Parser::check_block(const ast::VariableDeclarations& block, std::uint32_t qualifier,
