@@ -100,14 +100,12 @@ void Parser::accept_foreign_modifiers() {
     }
 }
 
-/// `EXTENDS base` and `IMPLEMENTS interface, interface` behind the name of a program organization
-/// unit: all of it is reported once.
-bool Parser::accept_foreign_heritage() {
+/// At `EXTENDS base` or `IMPLEMENTS interface` behind the name of a program organization unit:
+/// reports it.
+bool Parser::report_foreign_heritage() {
     if (!at(TokenKind::identifier) || token().first_on_line() || !is_one_of(heritage, text(at_)))
         return false;
     report_at(at_, DiagnosticId::foreign_construct, {quoted(at_), third_edition});
-    while (!token().first_on_line() && !at(block_openers) && !at_end())
-        advance();
     return true;
 }
 

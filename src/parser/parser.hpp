@@ -671,7 +671,7 @@ private:
     [[nodiscard]] bool at_foreign_member() const noexcept;
     void skip_foreign_member();
     void accept_foreign_modifiers();
-    bool accept_foreign_heritage();
+    bool report_foreign_heritage();
 
     // ---- library.cpp
     const ast::Node* parse_library_element();

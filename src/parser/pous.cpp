@@ -87,16 +87,16 @@ const ast::TypeSpecification* Parser::parse_result_type() {
 
 /// Whatever stands between the head of a program organization unit and its next line.
 void Parser::skip_rest_of_head() {
-    if (accept_foreign_heritage())
-        return;
     if (at(TokenKind::semicolon)) {
         accept_extra_semicolon_before_body();
         return;
     }
-    if (token().first_on_line() || at(block_openers) || at(unit_ends) ||
-        at_declarations_without_opener() || at_statement_start() || body_begins_in_head())
-        return;
-    report_unexpected("a declaration block or the body");
+    if (!report_foreign_heritage()) {
+        if (token().first_on_line() || at(block_openers) || at(unit_ends) ||
+            at_declarations_without_opener() || at_statement_start() || body_begins_in_head())
+            return;
+        report_unexpected("a declaration block or the body");
+    }
     while (!token().first_on_line() && !at(block_openers) && !at(unit_ends) &&
            !at(TokenKind::semicolon))
         advance();
