@@ -166,11 +166,18 @@ private:
                      in_words({node.first_token, node.end_token}) + ' ' + std::string(what);
     }
 
+    [[nodiscard]] static bool stands_for_a_fault(ast::NodeKind kind) {
+        return to_string(kind).find("error_") != std::string_view::npos ||
+               kind == ast::NodeKind::skipped_text;
+    }
+
     void check(const Node& node) {
         if (node.end_token < node.first_token || node.end_token > unit_.tokens().size())
             complain(node, "has no good tokens");
         if (node.missing && node.first_token != node.end_token)
             complain(node, "is missing and has tokens");
+        if ((node.missing || stands_for_a_fault(node.kind)) && unit_.diagnostics().empty())
+            complain(node, "is not reported");
         if (const auto* constant = ast::as<ast::Constant>(&node))
             if (constant->literal_token < node.first_token ||
                 constant->literal_token >= node.end_token)
