@@ -78,17 +78,24 @@ bool Extents::point_begins_fraction(const char* point) noexcept {
            exponent_end(point + 1) != nullptr;
 }
 
+bool Extents::ends_with_point(const char* p) noexcept {
+    return *p == '.' && p[1] != '.' && !is_word_start(p[1]) && is_ascii(p[1]);
+}
+
 const char* Extents::real_end(const char* point) const noexcept {
     const char* p = digits_end(point + 1);
     if (const char* const exponent = exponent_end(p))
         p = exponent;
     else if (is_exponent_letter(*p) && is_sign(p[1]))
         p += 2; // a number that ends in `E+` lacks its digits; no operator is meant
-    return word_end(p);
+    p = word_end(p);
+    while (*p == '.' && is_digit(p[1])) // `1.2.3`
+        p = word_end(p + 1);
+    return p;
 }
 
 const char* Extents::number_end(const char* p) const noexcept {
-    if (is_sign(*p))
+    while (is_sign(*p))
         ++p;
     const char* const digits = p;
     p = digits_end(p);
@@ -128,7 +135,7 @@ const char* Extents::date_end(TokenKind kind, const char* p) const noexcept {
         else if (*p == ':' && p[1] != '=' && (colons != 0 || is_digit(p[1])))
             colons -= colons != 0 ? 1 : 0;
         else if (*p != '.' || !is_digit(p[1]))
-            return p;
+            return ends_with_point(p) ? p + 1 : p;
         ++p;
     }
 }
@@ -162,19 +169,17 @@ const char* Extents::string_end(const char* quote) const noexcept {
 
 const char* Extents::address_end(const char* p) const noexcept {
     p = word_end(p);
-    while (*p == '.' && is_digit(p[1]))
-        p = word_end(p + 1);
-    // A point that nothing can follow belongs to the address, which lacks a number then.
-    if (*p == '.' && p[1] != '.' && !is_word_start(p[1]) && is_ascii(p[1]))
-        ++p;
-    return p;
+    // Neither a member nor a range can follow: `%IX1.a` and `%IX1..2` are addresses with a fault.
+    while (*p == '.' && (is_word_part(p[1]) || (p[1] == '.' && is_digit(p[2]))))
+        p = word_end(p + (p[1] == '.' ? 2 : 1));
+    return ends_with_point(p) ? p + 1 : p; // it lacks a number then
 }
 
 const char* Extents::location_end(const char* p) const noexcept {
     const char* const letters = p;
     while (is_word_start(*p))
         ++p;
-    if (*p == '*' && p != letters)
+    while (*p == '*')
         ++p;
     return p == letters && !is_digit(*p) ? word_end(p) : address_end(p);
 }

@@ -38,6 +38,9 @@ public:
     // one of `..` nor an access to a member.
     [[nodiscard]] static bool point_begins_fraction(const char* point) noexcept;
 
+    // True at a point that nothing which can begin with one follows: it belongs to the literal.
+    [[nodiscard]] static bool ends_with_point(const char* p) noexcept;
+
     // `body` is behind the `#`.
     [[nodiscard]] const char* literal_end(TokenKind kind, const char* body) const noexcept;
     // `quote` is the opening one. Ends behind the closing one, or before the line end.
