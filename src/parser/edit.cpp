@@ -85,6 +85,9 @@ void truncate(LexedUnits& units, std::size_t cuts) {
 } // namespace
 
 SyntaxTree SyntaxTree::edited(TextRange range, std::string_view replacement) const {
+    if (range.end < range.begin)
+        std::swap(range.begin, range.end);
+    range = {std::min(range.begin, size_), std::min(range.end, size_)};
     const Slots old = slots();
     const auto slot = static_cast<std::size_t>(&slot_at(range.begin) - old.data());
     const auto last = static_cast<std::size_t>(&slot_at(range.end) - old.data());

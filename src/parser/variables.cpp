@@ -447,14 +447,16 @@ const ast::Location* Parser::parse_optional_location() {
 
 /// At `IX0.1`, a location that lacks its `%`: the token behind it; else the one at the cursor.
 std::uint32_t Parser::end_of_location_without_sign() const noexcept {
-    std::uint32_t last = at_;
+    if (!at(TokenKind::identifier))
+        return at_;
+    std::uint32_t last = at_; // end_of_unit is behind it
     while (tokens_[last + 1].offset() == tokens_[last].end() &&
            (tokens_[last + 1].kind() == TokenKind::dot ||
             tokens_[last + 1].kind() == TokenKind::integer))
         ++last;
     const TextRange range = token_range(at_, last + 1);
     const std::string meant = "%" + std::string(text_.substr(range.begin, range.size()));
-    return at(TokenKind::identifier) && direct_variable_value(meant) ? last + 1 : at_;
+    return direct_variable_value(meant) ? last + 1 : at_;
 }
 
 /// `x : BOOL AT %IX1`, which is written `x AT %IX1 : BOOL`.

@@ -69,6 +69,14 @@ TEST(Edit, ReadsAgainWhatDependsOnTheRest) {
     EXPECT_EQ(closed.slots().size(), 1U);
 }
 
+TEST(Edit, TakesAnyRange) {
+    const SyntaxTree tree = parse(SourceText(library(2)));
+    const std::uint32_t size = tree.size();
+    EXPECT_TRUE(tree.edited({5, 2}, "x") == tree.edited({2, 5}, "x"));
+    EXPECT_TRUE(tree.edited({10, size + 5}, "") == tree.edited({10, size}, ""));
+    EXPECT_TRUE(tree.edited({size + 3, size + 9}, ";") == tree.edited({size, size}, ";"));
+}
+
 TEST(Edit, GrowsFromNothingAndShrinksToNothing) {
     const std::string text = library(3);
     SyntaxTree tree = parse(SourceText(""));

@@ -128,7 +128,8 @@ public:
     [[nodiscard]] std::optional<TokenPlace> token_before(std::uint32_t offset) const noexcept;
 
     /// The tree of the text in which `replacement` stands in the place of the bytes in `range`,
-    /// which counts from the start of the file and lies inside it.
+    /// which counts from the start of the file; a range that goes beyond its end is cut off there,
+    /// and one that ends before it begins is taken the other way round.
     /// Only units that the edit can touch are read again, the others are shared. Always equal to
     /// parsing the new text.
     [[nodiscard]] SyntaxTree edited(TextRange range, std::string_view replacement) const;
