@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace iecfront {
 namespace {
@@ -11,24 +12,20 @@ namespace {
 constexpr const char* third_edition = "the third edition";
 constexpr const char* other_dialects = "other dialects";
 
-/// What the second edition does not have, by its first word.
-struct ForeignConstruct {
+/// Words outside every declaration. What stands in a namespace is read.
+constexpr std::array<std::string_view, 5> elements = {"CLASS", "INTERFACE", "NAMESPACE",
+                                                      "END_NAMESPACE", "USING"};
+
+/// A part of a program organization unit that the second edition does not have.
+struct Member {
     std::string_view word;
-    std::string_view closer; ///< empty when it ends with its line
+    std::string_view closer;
     const char* origin;
 };
 
-constexpr std::array elements = {
-    ForeignConstruct{"CLASS", "END_CLASS", third_edition},
-    ForeignConstruct{"INTERFACE", "END_INTERFACE", third_edition},
-    ForeignConstruct{"NAMESPACE", {}, third_edition}, // what stands in it is read
-    ForeignConstruct{"END_NAMESPACE", {}, third_edition},
-    ForeignConstruct{"USING", {}, third_edition},
-};
-
 constexpr std::array members = {
-    ForeignConstruct{"METHOD", "END_METHOD", third_edition},
-    ForeignConstruct{"PROPERTY", "END_PROPERTY", other_dialects},
+    Member{"METHOD", "END_METHOD", third_edition},
+    Member{"PROPERTY", "END_PROPERTY", other_dialects},
 };
 
 constexpr std::array<std::string_view, 6> modifiers = {"ABSTRACT", "FINAL",    "PUBLIC",
@@ -36,12 +33,11 @@ constexpr std::array<std::string_view, 6> modifiers = {"ABSTRACT", "FINAL",    "
 
 constexpr std::array<std::string_view, 2> heritage = {"EXTENDS", "IMPLEMENTS"};
 
-template<class Rows>
-[[nodiscard]] const ForeignConstruct* find(const Rows& rows, std::string_view word) noexcept {
-    const auto found = std::find_if(rows.begin(), rows.end(), [word](const ForeignConstruct& row) {
-        return names_equal(row.word, word);
-    });
-    return found == rows.end() ? nullptr : &*found;
+[[nodiscard]] const Member* find_member(std::string_view word) noexcept {
+    const auto* const found =
+        std::find_if(members.begin(), members.end(),
+                     [word](const Member& row) { return names_equal(row.word, word); });
+    return found == members.end() ? nullptr : found;
 }
 
 [[nodiscard]] bool is_one_of(std::span<const std::string_view> words,
@@ -56,12 +52,11 @@ template<class Rows>
 bool Parser::report_foreign_element() {
     if (!at(TokenKind::identifier))
         return false;
-    const ForeignConstruct* construct = find(elements, text(at_));
-    if (construct == nullptr)
-        construct = find(members, text(at_));
-    if (construct == nullptr)
+    const Member* member = find_member(text(at_));
+    if (member == nullptr && !is_one_of(elements, text(at_)))
         return false;
-    report_at(at_, DiagnosticId::foreign_construct, {quoted(at_), construct->origin});
+    report_at(at_, DiagnosticId::foreign_construct,
+              {quoted(at_), member != nullptr ? member->origin : third_edition});
     return true;
 }
 
@@ -69,15 +64,15 @@ bool Parser::report_foreign_element() {
 bool Parser::at_foreign_member() const noexcept {
     return at(TokenKind::identifier) && token().first_on_line() &&
            peek() == TokenKind::identifier && !tokens_[next(at_)].first_on_line() &&
-           find(members, text(at_)) != nullptr;
+           find_member(text(at_)) != nullptr;
 }
 
 /// Reports it, and passes over it up to its closing word; when there is none, over its line.
 void Parser::skip_foreign_member() {
-    const ForeignConstruct& construct = *find(members, text(at_));
-    report(DiagnosticId::foreign_construct, token().range(), {quoted(at_), construct.origin});
+    const Member& member = *find_member(text(at_));
+    report(DiagnosticId::foreign_construct, token().range(), {quoted(at_), member.origin});
     std::uint32_t end = at_;
-    while (!members_unclosed_ && end != count_ && !names_equal(text(end), construct.closer))
+    while (!members_unclosed_ && end != count_ && !names_equal(text(end), member.closer))
         end = next(end);
     members_unclosed_ = members_unclosed_ || end == count_; // looked for once, not for each
     if (members_unclosed_) {

@@ -696,7 +696,7 @@ private:
     bool nesting_reported_ = false;
     bool in_condition_ = false;     // `:=` is taken for `=`
     bool in_chart_ = false;         // the body, or what it is in an action of
-    bool members_unclosed_ = false; // no METHOD further on has its closing word
+    bool members_unclosed_ = false; // some METHOD lacks its closing word: none is looked for
     bool closer_assumed_ = false;   // the last closing word was missing, and its `;` with it
     std::optional<std::uint32_t> reported_at_; // token of the last report
     std::optional<std::uint32_t> comma_assumed_at_;
