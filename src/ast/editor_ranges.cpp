@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace iecfront {
 namespace {
@@ -20,6 +21,9 @@ namespace {
     case ast::NodeKind::while_statement:
     case ast::NodeKind::repeat_statement:
     case ast::NodeKind::fb_invocation:
+    case ast::NodeKind::function_call:
+    case ast::NodeKind::array_initialization:
+    case ast::NodeKind::structure_initialization:
     case ast::NodeKind::step:
     case ast::NodeKind::transition:
     case ast::NodeKind::action:
@@ -30,6 +34,15 @@ namespace {
     case ast::NodeKind::il_formal_funct_call: return true;
     default: return ast::is<ast::LibraryElement>(kind);
     }
+}
+
+/// What stands behind ELSE; null when `node` has no such branch.
+[[nodiscard]] const ast::StatementList* else_list_of(const ast::Node& node) noexcept {
+    if (const auto* choice = ast::as<ast::IfStatement>(&node))
+        return choice->else_list;
+    if (const auto* choice = ast::as<ast::CaseStatement>(&node))
+        return choice->else_list;
+    return nullptr;
 }
 
 /// By its first line, the longest range that begins there.
@@ -65,54 +78,101 @@ private:
 
     void add_nodes() {
         ast::walk(slot_->unit->root(), [&](const ast::Node& node) {
-            if (can_be_folded(node.kind) && node.first_token != node.end_token) {
-                const TextRange range = slot_->unit->range(node);
-                add(line_of(range.begin), line_of(range.end - 1), FoldingKind::code);
-            }
+            if (can_be_folded(node.kind))
+                add_code(node.first_token, node.end_token);
+            const ast::StatementList* branch = else_list_of(node);
+            if (branch != nullptr && branch->first_token != branch->end_token)
+                add_code(branch->first_token - 1, branch->end_token);
             return ast::Walk::into;
         });
     }
 
-    // Comments, each on the line below the one before it, are folded as one.
+    // The last line stays when something else goes on there: it must not be hidden.
+    void add_code(std::uint32_t first, std::uint32_t end) {
+        if (first == end)
+            return;
+        static constexpr auto separates = [](Token token) {
+            return token.kind() == TokenKind::semicolon || token.kind() == TokenKind::comma;
+        };
+        const std::span<const Token> tokens = slot_->unit->tokens();
+        const std::uint32_t last_line = line_of(tokens[end - 1].end() - 1);
+        const std::uint32_t next = end < tokens.size() && separates(tokens[end]) ? end + 1 : end;
+        const bool goes_on = next < tokens.size() && line_of(tokens[next].offset()) == last_line;
+        add(line_of(tokens[first].offset()), goes_on ? last_line - 1 : last_line,
+            FoldingKind::code);
+    }
+
+    // Comments that are alone on their lines, each on the line below the one before it, are folded
+    // as one; any other by itself, up to the line where code goes on.
     void add_comments() {
+        const std::vector<bool> code = lines_with_code();
         std::uint32_t first_line = 0; // none yet
         std::uint32_t last_line = 0;
         for (const Trivia& trivia : slot_->unit->trivia()) {
             if (trivia.kind == TriviaKind::pragma || trivia.range.empty())
                 continue;
             const std::uint32_t begin = line_of(trivia.range.begin);
-            const bool goes_on = first_line != 0 && begin == last_line + 1;
-            if (!goes_on || !is_first_on_line(trivia.range.begin)) {
+            const std::uint32_t end = line_of(trivia.range.end - 1);
+            const bool alone = !code[begin - slot_->first_line] && !code[end - slot_->first_line];
+            if (!alone || first_line == 0 || begin > last_line + 1) {
                 add(first_line, last_line, FoldingKind::comment);
                 first_line = begin;
             }
-            last_line = line_of(trivia.range.end - 1);
+            last_line = end;
+            if (!alone) {
+                add(begin, code[end - slot_->first_line] ? end - 1 : end, FoldingKind::comment);
+                first_line = last_line = 0;
+            }
         }
         add(first_line, last_line, FoldingKind::comment);
     }
 
-    [[nodiscard]] bool is_first_on_line(std::uint32_t offset) const {
-        const Unit& unit = *slot_->unit;
-        const std::uint32_t line_start = unit.lines().line_start(unit.lines().line_of(offset));
-        return unit.text({line_start, offset}).find_first_not_of(" \t") == std::string_view::npos;
+    // Where tokens and pragmas begin and end; 1-based, counted in the unit.
+    [[nodiscard]] std::vector<bool> lines_with_code() const {
+        const LineTable& lines = slot_->unit->lines();
+        std::vector<bool> code(std::size_t{lines.line_end_count()} + 2);
+        const auto mark = [&](TextRange range) {
+            code[lines.line_of(range.begin) + 1] = true;
+            code[lines.line_of(range.end - 1) + 1] = true;
+        };
+        for (const Token token : slot_->unit->tokens())
+            mark(token.range());
+        for (const Trivia& trivia : slot_->unit->trivia())
+            if (trivia.kind == TriviaKind::pragma)
+                mark(trivia.range);
+        return code;
     }
 
     const SyntaxTree::Slot* slot_ = nullptr;
     std::map<std::uint32_t, FoldingRange> by_line_;
 };
 
-/// The comment or pragma, or else the token, that holds the byte at `offset` of the unit.
-[[nodiscard]] TextRange element_at(const Unit& unit, std::uint32_t offset) {
-    for (const Trivia& trivia : unit.trivia())
-        if (trivia.range.contains(offset))
-            return trivia.range;
-    const auto behind =
-        std::upper_bound(unit.tokens().begin(), unit.tokens().end(), offset,
-                         [](std::uint32_t o, Token token) { return o < token.offset(); });
-    if (behind == unit.tokens().begin())
-        return {offset, offset};
-    const TextRange range = (behind - 1)->range();
-    return range.contains(offset) ? range : TextRange{offset, offset};
+/// What stands at a byte of the file, ordered by how near it is to a caret beside it.
+enum class Nearness : std::uint8_t { nothing, delimiter, word };
+
+/// The comment or pragma, or else the token, that holds a byte of the file.
+struct Element {
+    TextRange range;
+    Nearness nearness = Nearness::nothing;
+};
+
+[[nodiscard]] Element element_at(const SyntaxTree& tree, std::uint32_t offset) {
+    if (const std::optional<SyntaxTree::TokenPlace> place = tree.token_at(offset))
+        return {place->range(),
+                is_delimiter(place->token().kind()) ? Nearness::delimiter : Nearness::word};
+    const SyntaxTree::Slot& slot = tree.slot_at(offset);
+    for (const Trivia& trivia : slot.unit->trivia())
+        if (trivia.range.contains(offset - slot.offset))
+            return {trivia.range.shifted(slot.offset), Nearness::delimiter};
+    return {{offset, offset}, Nearness::nothing};
+}
+
+/// The byte that a caret before the one at `offset` is meant to be at: the end of a word counts for
+/// more than what begins behind it, unless that is a word as well.
+[[nodiscard]] std::uint32_t byte_at_caret(const SyntaxTree& tree, std::uint32_t offset) {
+    const bool before =
+        offset > 0 && element_at(tree, offset - 1).nearness > element_at(tree, offset).nearness;
+    return before ? offset - 1 : offset;
 }
 
 } // namespace
@@ -122,6 +182,7 @@ std::vector<FoldingRange> folding_ranges(const SyntaxTree& tree) {
 }
 
 std::vector<TextRange> selection_ranges(const SyntaxTree& tree, std::uint32_t offset) {
+    offset = byte_at_caret(tree, offset);
     const SyntaxTree::Path path = tree.node_at(offset);
     const SyntaxTree::Slot& slot = *path.slot;
     const auto unit_size = static_cast<std::uint32_t>(slot.unit->text().size());
@@ -131,7 +192,7 @@ std::vector<TextRange> selection_ranges(const SyntaxTree& tree, std::uint32_t of
                            : range.contains(ranges.back()) && range != ranges.back())
             ranges.push_back(range);
     };
-    add(element_at(*slot.unit, offset - slot.offset).shifted(slot.offset));
+    add(element_at(tree, offset).range);
     for (auto node = path.nodes.rbegin(); node != path.nodes.rend(); ++node)
         if (slot.range(**node).contains(offset))
             add(slot.range(**node));
