@@ -91,10 +91,24 @@ constexpr std::array<std::string_view, 24> class_names = {"keyword",
     }
 }
 
+/// The name that a path of names begins with; null when it begins with something else.
+[[nodiscard]] const ast::Node* head_of(const ast::Expression& path) noexcept {
+    const ast::Expression* part = &path;
+    for (;;) {
+        if (const auto* field = ast::as<ast::StructuredVariable>(part))
+            part = field->record_variable;
+        else if (const auto* element = ast::as<ast::ArrayVariable>(part))
+            part = element->subscripted_variable;
+        else
+            return part->kind == ast::NodeKind::variable_name ? part : nullptr;
+    }
+}
+
 /// Sets the class of each name from the node that it is a part of.
 class NameClassifier : public ast::Visitor<NameClassifier> {
 public:
-    explicit NameClassifier(std::vector<TokenClass>& classes) : classes_(classes) {}
+    NameClassifier(const Unit& unit, std::vector<TokenClass>& classes)
+        : unit_(unit), classes_(classes) {}
 
     ast::Walk visit(const ast::Node&) { return ast::Walk::into; }
     ast::Walk visit(const ast::FunctionDeclaration& node) {
@@ -158,7 +172,11 @@ public:
         return set_first(node, TokenClass::keyword);
     }
     ast::Walk visit(const ast::Action& node) { return set(node.name, TokenClass::action); }
-    ast::Walk visit(const ast::Transition& node) { return set(node.name, TokenClass::transition); }
+    ast::Walk visit(const ast::Transition& node) {
+        if (node.priority != nullptr && node.priority->first_token >= node.first_token + 2)
+            set_priority(node.priority->first_token - 2);
+        return set(node.name, TokenClass::transition);
+    }
 
     ast::Walk visit(const ast::ResourceDeclaration& node) {
         set(node.type, TokenClass::type_name);
@@ -178,13 +196,30 @@ public:
     ast::Walk visit(const ast::FbTask& node) {
         return set(node.task, TokenClass::configuration_element);
     }
+    ast::Walk visit(const ast::ProgCnxn& node) {
+        return set(head_of(*node.variable), TokenClass::parameter);
+    }
     ast::Walk visit(const ast::AccessDeclaration& node) {
         return set(node.name, TokenClass::configuration_element);
+    }
+    ast::Walk visit(const ast::InstanceSpecificInit& node) {
+        for (const ast::Identifier* name : node.path)
+            set(name, name == node.path.front() ? TokenClass::variable : TokenClass::field);
+        return ast::Walk::into;
     }
 
     ast::Walk visit(const ast::IlInstruction& node) { return set(node.label, TokenClass::label); }
     ast::Walk visit(const ast::IlOperation& node) {
         return set_first(node, TokenClass::il_operator);
+    }
+    ast::Walk visit(const ast::IlSimpleOperation& node) {
+        return set_operator(node, node.function_name, node.modifier);
+    }
+    ast::Walk visit(const ast::IlExpression& node) {
+        return set_operator(node, nullptr, node.modifier);
+    }
+    ast::Walk visit(const ast::IlFormalFunctCall& node) {
+        return set(node.function_name, TokenClass::function);
     }
     ast::Walk visit(const ast::IlJumpOperation& node) {
         set(node.label, TokenClass::label);
@@ -204,6 +239,24 @@ private:
         return ast::Walk::into;
     }
 
+    // The word of `PRIORITY := 1` has no node of its own.
+    void set_priority(std::uint32_t word) {
+        if (unit_.tokens()[word].kind() == TokenKind::identifier)
+            classes_[word] = TokenClass::parameter;
+    }
+    // `&N` is two tokens, which adjoin.
+    ast::Walk set_operator(const ast::Node& node, const ast::Identifier* function,
+                           ast::IlModifier modifier) {
+        if (function != nullptr)
+            return set(function, TokenClass::function);
+        const bool split = modifier != ast::IlModifier::none &&
+                           unit_.tokens()[node.first_token].kind() == TokenKind::ampersand;
+        if (split)
+            classes_[node.first_token + 1] = TokenClass::il_operator;
+        return set_first(node, TokenClass::il_operator);
+    }
+
+    const Unit& unit_;
     std::vector<TokenClass>& classes_;
 };
 
@@ -219,7 +272,7 @@ std::vector<ClassifiedToken> token_classes(const Unit& unit) {
     classes.reserve(tokens.size());
     for (const Token token : tokens)
         classes.push_back(class_of(token.kind()));
-    NameClassifier(classes).traverse(unit.root());
+    NameClassifier(unit, classes).traverse(unit.root());
 
     std::vector<ClassifiedToken> result;
     result.reserve(tokens.size() + unit.trivia().size());

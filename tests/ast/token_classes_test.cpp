@@ -64,6 +64,50 @@ TEST(TokenClasses, ClassNamesOfConfigurations) {
     EXPECT_EQ(found["prog"], "type_name");
 }
 
+// B.1.6, B.1.7: PRIORITY is the name of a parameter in both.
+TEST(TokenClasses, ClassPriorityAsAParameter) {
+    auto found =
+        classes("PROGRAM p INITIAL_STEP s : END_STEP STEP t : END_STEP\n"
+                "TRANSITION tr (PRIORITY := 1) FROM s TO t := x; END_TRANSITION END_PROGRAM");
+    EXPECT_EQ(found["PRIORITY"], "parameter");
+    EXPECT_EQ(found["tr"], "transition");
+}
+
+// B.2
+TEST(TokenClasses, ClassOperatorsAndFunctionsOfInstructions) {
+    auto found = classes("PROGRAM p\nLD a\n&N b\nANDN c\nSIN\nfoo d, e\nLIMIT(\n  MN := 1\n)\n"
+                         "CAL inst(in1 := 2)\nEND_PROGRAM");
+    EXPECT_EQ(found["LD"], "il_operator");
+    EXPECT_EQ(found["&"], "il_operator");
+    EXPECT_EQ(found["N"], "il_operator");
+    EXPECT_EQ(found["ANDN"], "il_operator");
+    EXPECT_EQ(found["SIN"], "function");
+    EXPECT_EQ(found["foo"], "function");
+    EXPECT_EQ(found["LIMIT"], "function");
+    EXPECT_EQ(found["MN"], "parameter");
+    EXPECT_EQ(found["CAL"], "il_operator");
+    EXPECT_EQ(found["inst"], "variable");
+    EXPECT_EQ(classes("PROGRAM p\nLD a\n&N( b\n)\nEND_PROGRAM")["N"], "il_operator");
+}
+
+// B.1.7
+TEST(TokenClasses, ClassConnectionsAndPathsOfConfigurations) {
+    auto found = classes("CONFIGURATION c RESOURCE r ON cpu PROGRAM i : p (a := g, q.b => %QX1);"
+                         " END_RESOURCE VAR_ACCESS acc : res.prog.x : INT; END_VAR\n"
+                         "VAR_CONFIG res2.prog2.x2 : INT := 1; END_VAR END_CONFIGURATION");
+    EXPECT_EQ(found["a"], "parameter");
+    EXPECT_EQ(found["g"], "variable");
+    EXPECT_EQ(found["q"], "parameter");
+    EXPECT_EQ(found["b"], "field");
+    EXPECT_EQ(found["acc"], "configuration_element");
+    EXPECT_EQ(found["res"], "variable");
+    EXPECT_EQ(found["prog"], "field");
+    EXPECT_EQ(found["x"], "field");
+    EXPECT_EQ(found["res2"], "variable");
+    EXPECT_EQ(found["prog2"], "field");
+    EXPECT_EQ(found["x2"], "field");
+}
+
 TEST(TokenClasses, AreInOrderAndLeaveNothingOut) {
     const SyntaxTree tree = parse(SourceText("(*a*) PROGRAM (*b*) p ? ; (*c*) END_PROGRAM (*d*)"));
     const Unit& unit = *tree.slots()[0].unit;
