@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <span>
 
 namespace iecfront {
 namespace {
@@ -19,8 +21,14 @@ namespace {
     return static_cast<std::size_t>(found - unit.trivia().begin());
 }
 
-/// Those that end above line `line`, each on the line below the one before; `line` is 0-based.
-[[nodiscard]] std::span<const Trivia> comments_above(const Unit& unit, std::uint32_t first_token) {
+[[nodiscard]] std::vector<Trivia> comments_in(std::span<const Trivia> row) {
+    std::vector<Trivia> comments;
+    std::ranges::copy_if(row, std::back_inserter(comments), is_comment);
+    return comments;
+}
+
+/// Those that end above the token, each on the line below the one before.
+[[nodiscard]] std::vector<Trivia> comments_above(const Unit& unit, std::uint32_t first_token) {
     const LineTable& lines = unit.lines();
     const std::uint32_t begin = unit.tokens()[first_token].offset();
     const std::uint32_t behind_token = first_token == 0 ? 0 : unit.tokens()[first_token - 1].end();
@@ -31,7 +39,7 @@ namespace {
     std::int64_t line = lines.line_of(begin);
     while (first > 0) {
         const Trivia& candidate = unit.trivia()[first - 1];
-        if (!is_comment(candidate) || candidate.range.begin < behind_token)
+        if (candidate.range.empty() || candidate.range.begin < behind_token)
             break;
         const std::int64_t last_line = lines.line_of(candidate.range.end - 1);
         const std::int64_t first_line = lines.line_of(candidate.range.begin);
@@ -40,10 +48,10 @@ namespace {
         line = first_line;
         --first;
     }
-    return unit.trivia().subspan(first, end - first);
+    return comments_in(unit.trivia().subspan(first, end - first));
 }
 
-[[nodiscard]] std::span<const Trivia> comments_behind(const Unit& unit, std::uint32_t end_token) {
+[[nodiscard]] std::vector<Trivia> comments_behind(const Unit& unit, std::uint32_t end_token) {
     const std::span<const Token> tokens = unit.tokens();
     std::uint32_t next = end_token;
     if (next < tokens.size() &&
@@ -57,15 +65,14 @@ namespace {
     std::size_t behind = first;
     while (behind < unit.trivia().size()) {
         const Trivia& candidate = unit.trivia()[behind];
-        if (!is_comment(candidate) || candidate.range.begin >= limit ||
-            unit.lines().line_of(candidate.range.begin) != line)
+        if (candidate.range.begin >= limit || unit.lines().line_of(candidate.range.begin) != line)
             break;
         ++behind;
     }
     // Before another token of the same line, a comment speaks of that.
     const bool more_on_line =
         next < tokens.size() && unit.lines().line_of(tokens[next].offset()) == line;
-    return unit.trivia().subspan(first, more_on_line ? 0 : behind - first);
+    return comments_in(unit.trivia().subspan(first, more_on_line ? 0 : behind - first));
 }
 
 } // namespace

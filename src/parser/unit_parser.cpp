@@ -141,7 +141,27 @@ bool belongs_before(TextRange range, std::uint32_t end) noexcept {
 std::uint32_t LexedUnits::unit_end(std::size_t index) const noexcept {
     const std::uint32_t end_token = cuts[index].end_token;
     const bool last = index + 1 == cuts.size();
-    return last || end_token == 0 ? size() : lexed.tokens[end_token - 1].end();
+    return last || end_token == 0 ? size() : end_on_line(end_token);
+}
+
+std::uint32_t LexedUnits::end_on_line(std::uint32_t end_token) const noexcept {
+    const auto line_ends_in = [this](std::uint32_t begin, std::uint32_t end) {
+        return std::string_view(*buffer).substr(begin, end - begin).find_first_of("\r\n") !=
+               std::string_view::npos;
+    };
+    const std::uint32_t token_end = lexed.tokens[end_token - 1].end();
+    const std::uint32_t next_token = lexed.tokens[end_token].offset();
+    std::uint32_t end = token_end;
+    auto trivia = std::ranges::lower_bound(lexed.trivia, end, {},
+                                           [](const Trivia& one) { return one.range.begin; });
+    for (; trivia != lexed.trivia.end() && trivia->range.begin < next_token; ++trivia) {
+        if (line_ends_in(end, trivia->range.begin))
+            return end;
+        end = trivia->range.end;
+        if (line_ends_in(trivia->range.begin, end))
+            return end;
+    }
+    return line_ends_in(end, next_token) ? end : token_end;
 }
 
 LexedUnits lex_units(std::shared_ptr<const std::string> buffer, Encoding encoding,

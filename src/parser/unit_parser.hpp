@@ -26,6 +26,9 @@ struct LexedUnits {
     }
     /// Offset where the unit ends that `cuts[index]` ends.
     [[nodiscard]] std::uint32_t unit_end(std::size_t index) const noexcept;
+    /// End of the token before `end_token` with the comments and pragmas that begin on its line,
+    /// unless `end_token` stands there as well: then they are taken to speak of that.
+    [[nodiscard]] std::uint32_t end_on_line(std::uint32_t end_token) const noexcept;
 };
 
 /// Lexes and cuts; a fragment is one unit. `at_file_start` says whether the stretch begins a file:

@@ -53,7 +53,44 @@ TEST(AttachedComments, OfTwoOnALineEachHasItsOwn) {
 }
 
 TEST(AttachedComments, APragmaIsNone) {
-    EXPECT_EQ(comments("{x}\na : INT;"), (Comments{"|"}));
+    EXPECT_EQ(comments("{x}\na : INT; {y}"), (Comments{"|"}));
+}
+
+// 2.1.6
+TEST(AttachedComments, PragmasAreLookedOver) {
+    EXPECT_EQ(comments("(*1*)\n{attribute 'a'}\na : INT;"), (Comments{"(*1*)|"}));
+    EXPECT_EQ(comments("(*1*)\n\n{attribute 'a'}\na : INT;"), (Comments{"|"}));
+    EXPECT_EQ(comments("(*1*)\n{p}\n(*2*)\na : INT; {p} (*3*) {q}\n{r}\nb : INT;"),
+              (Comments{"(*1*)(*2*)|(*3*)", "|"}));
+}
+
+// Of every library element in a file: the comments before, `|`, those behind.
+std::vector<std::string> comments_of_elements(const std::string& text) {
+    const SyntaxTree tree = parse(SourceText(text));
+    std::vector<std::string> result;
+    for (const SyntaxTree::Slot& slot : tree.slots()) {
+        const Unit& unit = *slot.unit;
+        const AttachedComments found = attached_comments(unit, *unit.root().elements[0]);
+        result.emplace_back();
+        for (const Trivia& trivia : found.before)
+            result.back() += unit.text(trivia.range);
+        result.back() += '|';
+        for (const Trivia& trivia : found.behind)
+            result.back() += unit.text(trivia.range);
+    }
+    return result;
+}
+
+// B.0
+TEST(AttachedComments, BehindALibraryElementBelongToIt) {
+    const std::string p = "PROGRAM p ; END_PROGRAM";
+    const std::string q = "PROGRAM q ; END_PROGRAM";
+    EXPECT_EQ(comments_of_elements(p + " (*1*)\n" + q + " (*2*)\n"),
+              (Comments{"|(*1*)", "|(*2*)"}));
+    EXPECT_EQ(comments_of_elements(p + "; {x} (*1*) (*2*)\n(*3*)\n" + q),
+              (Comments{"|(*1*)(*2*)", "(*3*)|"}));
+    EXPECT_EQ(comments_of_elements(p + " (*1\n*) (*2*)\n" + q), (Comments{"|(*1\n*)", "(*2*)|"}));
+    EXPECT_EQ(comments_of_elements(p + " (*1*) " + q), (Comments{"|", "(*1*)|"}));
 }
 
 TEST(AttachedComments, BelongToALibraryElementToo) {

@@ -49,7 +49,8 @@ TEST(Parse, GivesAUnitForEachLibraryElement) {
                                              "FUNCTION f : T VAR_INPUT a : T; END_VAR f := a;\n"
                                              "END_FUNCTION\n"));
     ASSERT_EQ(tree.slots().size(), 2U);
-    EXPECT_EQ(tree.slots()[0].unit->text(), "TYPE T : INT; END_TYPE");
+    // What stands on the line of the end belongs to it.
+    EXPECT_EQ(tree.slots()[0].unit->text(), "TYPE T : INT; END_TYPE (* c *)");
     EXPECT_EQ(tree.slots()[1].first_line, 0U);
     EXPECT_TRUE(tree.diagnostics().empty());
 }

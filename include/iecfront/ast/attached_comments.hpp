@@ -5,21 +5,21 @@
 #include <iecfront/export.hpp>
 #include <iecfront/lexer/token.hpp>
 
-#include <span>
+#include <vector>
 
 namespace iecfront {
 
-/// The comments that speak of a declaration or statement. Both are stretches of `Unit::trivia()`.
+/// The comments that speak of a declaration or statement, out of `Unit::trivia()`. Pragmas do not
+/// count as comments, and are looked over.
 struct AttachedComments {
     /// Those directly above: on lines of their own, without an empty line between them or between
     /// the last of them and the node.
-    std::span<const Trivia> before;
+    std::vector<Trivia> before;
     /// Those behind it, beginning on the line where the node ends; a `;` or `,` may stand between.
-    std::span<const Trivia> behind;
+    std::vector<Trivia> behind;
 };
 
-/// The comments of `node`, a node of `unit` with at least one token. The spans live as long as the
-/// unit. Pragmas do not count as comments.
+/// The comments of `node`, a node of `unit` with at least one token.
 [[nodiscard]] IECFRONT_API AttachedComments attached_comments(const Unit& unit,
                                                               const ast::Node& node);
 

@@ -18,7 +18,8 @@
 namespace iecfront {
 
 /// A self-contained piece of a file: one library element declaration (B.0) with the white space,
-/// comments and pragmas before it; the last unit of a file also holds what follows. Immutable.
+/// comments and pragmas before it, and the comments and pragmas behind it on the line of its end;
+/// the last unit of a file also holds all that follows. Immutable.
 /// Everything in it counts from its own start, so that it stays as it is when the text before it
 /// changes, and can be shared by the trees of several versions of a file, and by threads.
 class IECFRONT_API Unit {
