@@ -79,8 +79,9 @@ std::uint32_t columns_between(const SyntaxTree::Slot& slot, std::uint32_t begin,
 }
 
 SyntaxTree::SyntaxTree(std::string name, Encoding encoding,
-                       std::vector<std::shared_ptr<const Unit>> units, const ParseOptions& options)
-    : name_(std::move(name)), encoding_(encoding), options_(options) {
+                       std::vector<std::shared_ptr<const Unit>> units, const ParseOptions& options,
+                       const Origin& origin)
+    : name_(std::move(name)), encoding_(encoding), options_(options), origin_(origin) {
     std::vector<Slot> slots;
     slots.reserve(units.size());
     std::uint32_t line = 0;
@@ -94,12 +95,12 @@ SyntaxTree::SyntaxTree(std::string name, Encoding encoding,
 
 SourceText SyntaxTree::source() const {
     if (auto buffer = common_buffer(*slots_, size_))
-        return SourceText(std::move(buffer), name_, encoding_);
+        return SourceText(std::move(buffer), name_, encoding_).at(origin_);
     std::string text;
     text.reserve(size_);
     for (const Slot& slot : *slots_)
         text += slot.unit->text();
-    return SourceText(std::move(text), name_, encoding_);
+    return SourceText(std::move(text), name_, encoding_).at(origin_);
 }
 
 const SyntaxTree::Slot& SyntaxTree::slot_at(std::uint32_t offset) const noexcept {
@@ -143,6 +144,14 @@ std::uint32_t SyntaxTree::offset(Position position, ColumnUnit unit) const noexc
         begin = 0;
     }
     return slot->offset + offset_in_unit(*slot, begin, column, unit);
+}
+
+HostPlace SyntaxTree::host_place(std::uint32_t offset, ColumnUnit unit) const noexcept {
+    Position there = position(offset, unit);
+    if (there.line == 1)
+        there.column += origin_.column_in(unit) - 1;
+    there.line += origin_.line - 1;
+    return {origin_.offset + offset, there};
 }
 
 std::vector<Diagnostic> SyntaxTree::diagnostics() const {

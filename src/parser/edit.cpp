@@ -114,7 +114,7 @@ SyntaxTree SyntaxTree::edited(TextRange range, std::string_view replacement) con
             row.push_back(std::move(unit));
         for (std::size_t i = in_step ? in_step->slot + 1 : end; i < old.size(); ++i)
             row.push_back(old[i].unit);
-        return {name_, encoding_, std::move(row), options_};
+        return {name_, encoding_, std::move(row), options_, origin_};
     }
 }
 

@@ -327,7 +327,7 @@ void Parser::report_call_of_member(const ast::Expression& callee) {
 
 /// True when an operand is missing at the end of the line before, as an assignment follows.
 bool Parser::at_assignment_on_new_line() const noexcept {
-    if (!token().first_on_line() || in_condition_ ||
+    if (!token().first_on_line() || at_ == 0 || in_condition_ ||
         (!at(TokenKind::identifier) && !at(TokenKind::direct_variable)))
         return false;
     std::uint32_t depth = 0; // of brackets

@@ -19,7 +19,8 @@ SyntaxTree refuse(const SourceText& source, const ParseOptions& options) {
     return {source.name(),
             source.encoding(),
             {std::make_shared<const Unit>(std::move(parts))},
-            options};
+            options,
+            source.origin()};
 }
 
 } // namespace
@@ -28,7 +29,8 @@ SyntaxTree parse(const SourceText& source, const ParseOptions& options) {
     if (source.too_large())
         return refuse(source, options);
     const LexedUnits lexed = lex_units(source.buffer(), source.encoding(), true, options.read_as);
-    return {source.name(), source.encoding(), parse_units(lexed, options), options};
+    return {source.name(), source.encoding(), parse_units(lexed, options), options,
+            source.origin()};
 }
 
 } // namespace iecfront

@@ -358,7 +358,16 @@ private:
     const ast::StructureElementInitialization* parse_structure_element_initialization();
 
     // ---- variables.cpp: B.1.4
-    enum class Place { function, function_block, program, configuration, resource, library };
+    /// Whose declarations are being read; `anywhere` for blocks that stand alone.
+    enum class Place {
+        function,
+        function_block,
+        program,
+        configuration,
+        resource,
+        library,
+        anywhere
+    };
     const ast::VariableDeclarations* parse_variable_declarations(Place place);
     [[nodiscard]] bool at_end_of_declarations();
     [[nodiscard]] bool at_declarations_without_opener();
@@ -452,6 +461,7 @@ private:
     void report_missing_parentheses(std::uint32_t first, std::string_view around);
     const ast::Steps* parse_steps_behind(TokenKind word);
     bool accept_misspelt_part(TokenKind word);
+    bool accept_arrow();
     const ast::Steps* parse_steps();
     const ast::TransitionCondition* parse_transition_condition();
     [[nodiscard]] bool instructions_follow_colon() const noexcept;
@@ -653,6 +663,7 @@ private:
     [[nodiscard]] bool begins_instruction_on_line() const noexcept;
     [[nodiscard]] bool begins_outer_instruction(bool begun) const noexcept;
     [[nodiscard]] bool parenthesis_closes(std::uint32_t open) const noexcept;
+    [[nodiscard]] std::uint32_t closing_parenthesis(std::uint32_t open) const noexcept;
     [[nodiscard]] bool parentheses_close_on_line() const noexcept;
     void expect_line_end();
     void expect_line_end_in(MissingLineEnds& missing, std::string_view where);
@@ -672,6 +683,10 @@ private:
     void skip_foreign_member();
     void accept_foreign_modifiers();
     bool report_foreign_heritage();
+
+    // ---- fragment.cpp
+    void parse_elements_of_fragment(ListBuilder<ast::Node>& elements, FragmentKind kind);
+    void add_missing_fragment(ListBuilder<ast::Node>& elements, FragmentKind kind);
 
     // ---- library.cpp
     const ast::Node* parse_library_element();

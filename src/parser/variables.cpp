@@ -141,7 +141,8 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     check_mixed(*node);
     close_block("");
     finish(node);
-    if (place == Place::configuration || place == Place::resource || place == Place::library)
+    if (place == Place::configuration || place == Place::resource || place == Place::library ||
+        place == Place::anywhere)
         accept_extra_semicolon();
     else
         accept_extra_semicolon_before_body();
@@ -287,6 +288,7 @@ void Parser::check_block(const ast::VariableDeclarations& block, std::uint32_t q
     case Place::program: fits = row.program, where = "program"; break;
     case Place::configuration: fits = row.configuration, where = "configuration"; break;
     case Place::resource: fits = row.resource, where = "resource"; break;
+    case Place::anywhere: break;
     case Place::library: return;
     }
     if (!fits && place == Place::function &&

@@ -276,7 +276,10 @@ TEST(Embedding, Fragments) {
     iecfront::SyntaxTree placed = iecfront::parse(piece, options);
     std::string report = iecfront::render_text(placed.diagnostics(), piece); // plant.xml:88:21
 
+    iecfront::HostPlace place = placed.host_place(8); // 2057, and line 88, column 21
+
     EXPECT_TRUE(report.starts_with("plant.xml:88:21: ")) << report;
+    EXPECT_EQ(place, (iecfront::HostPlace{2057, {88, 21}}));
 }
 
 TEST(Embedding, MappedFindings) {

@@ -23,7 +23,7 @@ enum class FragmentKind : std::uint8_t {
     body,                  ///< function_block_body, in any language (B.1.5.2)
     statement_list,        ///< B.3.2
     expression,            ///< B.3.1
-    variable_declarations, ///< any number of blocks, as in a PROGRAM (B.1.4.3)
+    variable_declarations, ///< any number of blocks, those of every place (B.1.4.3, B.1.7)
 };
 
 /// What can be set about parsing.
@@ -55,9 +55,9 @@ public:
     };
 
     /// Puts units in a row; `parse` and `edited` do that. There is at least one unit, and all have
-    /// `encoding`. `name` is what diagnostics call the file.
+    /// `encoding`. `name` is what diagnostics call the file, `origin` where the text begins in it.
     SyntaxTree(std::string name, Encoding encoding, std::vector<std::shared_ptr<const Unit>> units,
-               const ParseOptions& options);
+               const ParseOptions& options, const Origin& origin = {});
 
     /// The units in file order, at least one. They tile the file byte for byte.
     [[nodiscard]] std::span<const Slot> slots() const noexcept { return *slots_; }
@@ -66,6 +66,8 @@ public:
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
     /// That of the `SourceText`.
     [[nodiscard]] Encoding encoding() const noexcept { return encoding_; }
+    /// That of the `SourceText`: an edit of a piece does not move its beginning.
+    [[nodiscard]] const Origin& origin() const noexcept { return origin_; }
     /// Bytes in the file.
     [[nodiscard]] std::uint32_t size() const noexcept { return size_; }
     /// The text in this version of the file. Shared with the text that was parsed; put together
@@ -84,6 +86,11 @@ public:
     /// The inverse. A line behind the last one gives the end of text, a column behind the end of
     /// its line the end of that line.
     [[nodiscard]] std::uint32_t offset(Position position,
+                                       ColumnUnit unit = ColumnUnit::code_points) const noexcept;
+
+    /// Where `offset`, counted from the start of the text as everywhere, lies in the file that the
+    /// text is a piece of (`SourceText::at`). Of a whole file it is the same place.
+    [[nodiscard]] HostPlace host_place(std::uint32_t offset,
                                        ColumnUnit unit = ColumnUnit::code_points) const noexcept;
 
     /// All findings in source order; ranges count from the start of the file.
@@ -140,6 +147,7 @@ private:
     std::uint32_t size_ = 0;
     std::shared_ptr<const std::vector<Slot>> slots_;
     ParseOptions options_;
+    Origin origin_;
 };
 
 /// True when both have the same text and equal units.

@@ -2,6 +2,7 @@
 
 #include <iecfront/export.hpp>
 #include <iecfront/source/encoding.hpp>
+#include <iecfront/source/line_table.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -17,8 +18,27 @@ struct Origin {
     std::uint32_t offset = 0; ///< in bytes, of the text's first byte
     std::uint32_t line = 1;   ///< 1-based, of the text's first line
     std::uint32_t column = 1; ///< 1-based, of the text's first character, in code points
+    /// The same column in UTF-16 units and in bytes, for who asks for them; 0 where it is the same
+    /// number, as it is when only ASCII stands before the text on its line.
+    std::uint32_t column_in_utf16_units = 0;
+    std::uint32_t column_in_bytes = 0; ///< see there
+
+    /// The column in the given unit.
+    [[nodiscard]] constexpr std::uint32_t column_in(ColumnUnit unit) const noexcept {
+        if (unit == ColumnUnit::utf16_units && column_in_utf16_units != 0)
+            return column_in_utf16_units;
+        return unit == ColumnUnit::bytes && column_in_bytes != 0 ? column_in_bytes : column;
+    }
 
     friend constexpr bool operator==(Origin, Origin) noexcept = default;
+};
+
+/// A place in a file that a text may be a piece of.
+struct HostPlace {
+    std::uint32_t offset = 0; ///< in bytes, from the start of the file
+    Position position;        ///< its line and column there
+
+    friend constexpr bool operator==(HostPlace, HostPlace) noexcept = default;
 };
 
 /// The bytes of one source file, with the name to report them under. Immutable; copies share the
