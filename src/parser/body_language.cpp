@@ -47,6 +47,8 @@ bool Parser::begins_chart_element(std::uint32_t index) const noexcept {
     const TokenKind after = tokens_[third].kind();
     if (name == TokenKind::identifier)
         return after != TokenKind::assign;
+    if (tokens_[index].kind() == TokenKind::kw_initial_step && name == TokenKind::colon)
+        return true; // the name is missing
     if (tokens_[index].kind() == TokenKind::kw_transition)
         return name == TokenKind::kw_from ||
                (name == TokenKind::left_parenthesis && names_equal(text(third), "PRIORITY"));
@@ -110,7 +112,7 @@ BodyLanguage Parser::body_language() const noexcept {
         return BodyLanguage::sequential_function_chart;
     std::int32_t instructions = 0;
     std::int32_t statements = 0;
-    std::int32_t chart_words = 0;
+    std::int32_t chart_words = misspelt_chart_word() == TokenKind::end_of_unit ? 0 : 1;
     std::uint32_t depth = 0; // of parentheses
     LineKind line = LineKind::operation;
     bool behind_instruction = false;

@@ -445,8 +445,19 @@ void Parser::report_operand_of(const IlOperatorRow& row) {
     const std::uint32_t first = at_;
     Report operand =
         report_at(first, DiagnosticId::unexpected_operand, {std::string(row.spelling)});
+    const std::uint32_t closing = at(TokenKind::left_parenthesis) ? closing_parenthesis(at_) : at_;
+    const bool closes = tokens_[closing].kind() == TokenKind::right_parenthesis;
+    if (closes && at_formal_argument(next(first))) { // no instructions, which could stay
+        while (at_ <= closing)
+            advance();
+        operand.remove(token_range(first, end_));
+        return;
+    }
+    const std::uint32_t opened = skipped_parentheses_;
     skip_line();
     operand.remove(token_range(first, end_));
+    if (closes && skipped_parentheses_ == opened + 1)
+        operand.also_remove(tokens_[closing].range());
 }
 
 /// The operand of ST, of the input operators and of `=>` is written to.
@@ -484,19 +495,25 @@ const ast::IlOperation* Parser::parse_il_return_operation(const IlOperatorRow& r
 
 /// True when the parenthesis at token `open` is closed before the body ends.
 bool Parser::parenthesis_closes(std::uint32_t open) const noexcept {
+    return closing_parenthesis(open) != count_;
+}
+
+/// What closes the parenthesis at token `open`, end_of_unit when the body ends before that. Very
+/// far away it is not looked for, and what stands there is taken for it.
+std::uint32_t Parser::closing_parenthesis(std::uint32_t open) const noexcept {
     constexpr std::uint32_t furthest = 1000; // bounds the time that a run of parentheses takes
     std::uint32_t depth = 0;
     std::uint32_t i = open;
     for (std::uint32_t steps = 0; steps < furthest; i = next(i), ++steps) {
         const TokenKind kind = tokens_[i].kind();
         if (unit_ends.contains(kind) || chart_closers.contains(kind))
-            return false;
+            return count_;
         if (kind == TokenKind::left_parenthesis)
             ++depth;
         else if (kind == TokenKind::right_parenthesis && --depth == 0)
-            return true;
+            return i;
     }
-    return true;
+    return i;
 }
 
 void Parser::close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing) {

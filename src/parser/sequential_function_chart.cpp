@@ -541,7 +541,8 @@ const ast::Steps* Parser::parse_steps_behind(TokenKind word) {
         report_missing(DiagnosticId::missing_token, {"`" + words + "` with a step"});
         return make_missing<ast::Steps>();
     }
-    if (!accept(word) && !accept_misspelt_part(word)) {
+    const bool arrow = word == TokenKind::kw_to && accept_arrow();
+    if (!arrow && !accept(word) && !accept_misspelt_part(word)) {
         if (peek() != word && find_on_line(word) < count_) {
             report_unexpected("`" + words + "`");
             skip_to({word, TokenKind::semicolon, TokenKind::assign});
@@ -551,6 +552,19 @@ const ast::Steps* Parser::parse_steps_behind(TokenKind word) {
         }
     }
     return parse_steps();
+}
+
+/// `->` for TO.
+bool Parser::accept_arrow() {
+    const std::uint32_t second = next(at_);
+    if (!at(TokenKind::minus) || tokens_[second].kind() != TokenKind::greater ||
+        tokens_[second].offset() != token().end())
+        return false;
+    const TextRange arrow = token_range(at_, second + 1);
+    report(DiagnosticId::unexpected_token, arrow, {"`TO`", "`->`"}).replace(arrow, "TO");
+    advance();
+    advance();
+    return true;
 }
 
 /// A word like `FORM` before a step.
@@ -603,6 +617,12 @@ const ast::TransitionCondition* Parser::parse_transition_condition() {
         report_missing(DiagnosticId::missing_token, {"`:=` with a condition"});
         node->condition = make_missing<ast::ErrorExpression>();
         accept(TokenKind::semicolon);
+        return finish(node);
+    }
+    if (at(TokenKind::colon) && peek() == TokenKind::semicolon) { // in no language
+        advance();
+        node->condition = parse_missing_expression();
+        advance();
         return finish(node);
     }
     if (at(TokenKind::colon) && instructions_follow_colon()) {
