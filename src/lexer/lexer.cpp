@@ -6,6 +6,7 @@
 #include "lexer/keywords.hpp"
 
 #include <iecfront/lexer/literals.hpp>
+#include <iecfront/lexer/name.hpp>
 
 #include <algorithm>
 #include <array>
@@ -121,6 +122,7 @@ private:
     const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
     const char* end_of_first_line(const char* begin, DiagnosticId fault, std::string_view opening,
                                   std::string_view closing);
+    const char* end_of_prose(const char* begin, std::string_view opening, std::string_view closing);
     const char* line_end(const char* begin);
 
     void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false) {
@@ -951,6 +953,68 @@ const char* Lexer::end_of_first_line(const char* begin, DiagnosticId fault,
 
 namespace {
 
+// True for words that structure a program: a line with one of them is no prose.
+[[nodiscard]] bool is_word_of_structure(std::string_view word, TokenKind kind) noexcept {
+    static constexpr std::array openers{TokenKind::kw_type,           TokenKind::kw_function,
+                                        TokenKind::kw_function_block, TokenKind::kw_program,
+                                        TokenKind::kw_configuration,  TokenKind::kw_resource};
+    const std::string_view closing = "END_";
+    const std::string_view block = "VAR";
+    return names_equal(word.substr(0, closing.size()), closing) ||
+           names_equal(word.substr(0, block.size()), block) ||
+           std::ranges::find(openers, kind) != openers.end();
+}
+
+// True when the line has three words in a row that are no keywords, or two of which the first is
+// too long for an operator of Instruction List: so is prose, and so is hardly any code.
+[[nodiscard]] bool looks_like_prose(std::string_view line) noexcept {
+    constexpr std::size_t longest_operator = 5; // JMPCN
+    for (const std::string_view mark : {":=", "=>", "(*", "/*", "//"})
+        if (line.find(mark) != std::string_view::npos)
+            return false;
+    std::size_t words = 0; // in a row
+    bool first_is_long = false;
+    bool prose = false;
+    for (std::size_t i = 0; i < line.size();) {
+        if (!is_word_part(line[i]) && is_ascii(line[i])) {
+            words = line[i] == ' ' || line[i] == '\t' ? words : 0;
+            ++i;
+            continue;
+        }
+        const std::size_t begin = i;
+        while (i < line.size() && (is_word_part(line[i]) || !is_ascii(line[i])))
+            ++i;
+        const std::string_view word = line.substr(begin, i - begin);
+        const TokenKind kind = keyword_kind(word);
+        if (is_word_of_structure(word, kind))
+            return false;
+        const bool plain = kind == TokenKind::identifier && !is_digit(word.front());
+        words = plain ? words + 1 : 0;
+        first_is_long = words == 1 ? word.size() > longest_operator : first_is_long;
+        prose = prose || words == 3 || (words == 2 && first_is_long);
+    }
+    return prose;
+}
+
+} // namespace
+
+// The same for a comment, which also gets the lines of prose that follow.
+const char* Lexer::end_of_prose(const char* begin, std::string_view opening,
+                                std::string_view closing) {
+    const char* end =
+        end_of_first_line(begin, DiagnosticId::unterminated_comment, opening, closing);
+    while (end != end_) {
+        const char* const line = end + (end[0] == '\r' && end[1] == '\n' ? 2 : 1);
+        const char* const next = line_end(line);
+        if (!looks_like_prose(view(line, next)))
+            break;
+        end = next;
+    }
+    return end;
+}
+
+namespace {
+
 // The first `(*` in the stretch; null when there is none.
 [[nodiscard]] const char* find_comment_begin(const char* begin, const char* end) noexcept {
     for (const char* p = begin; p + 1 < end; ++p) {
@@ -999,7 +1063,7 @@ const char* Lexer::comment(const char* begin) {
     const char* end = nullptr;
     if (closing == nullptr) {
         comment_end_missing_from_ = std::min(comment_end_missing_from_, begin + 2);
-        end = end_of_first_line(begin, DiagnosticId::unterminated_comment, "(*", "*)");
+        end = end_of_prose(begin, "(*", "*)");
     } else {
         const char* const inner = find_comment_begin(begin + 2, closing);
         end = inner == nullptr ? closing + 1 : end_of_nested_comment(begin, inner, closing);
@@ -1018,7 +1082,7 @@ const char* Lexer::end_of_nested_comment(const char* begin, const char* inner,
     const auto balanced_end = marks_.balanced_end(offset(begin));
     const char* const first_line_end = line_end(begin);
     if (!balanced_end && first_line_end < inner && looks_like_code(view(first_line_end, inner)))
-        return end_of_first_line(begin, DiagnosticId::unterminated_comment, "(*", "*)");
+        return end_of_prose(begin, "(*", "*)");
     report(DiagnosticId::nested_comment, range(inner, inner + 2))
         .labels.push_back({range(begin, begin + 2), LabelId::comment_begin, {}});
     if (balanced_end)
@@ -1041,7 +1105,7 @@ const char* Lexer::c_comment(const char* begin) {
     const char* end = nullptr;
     if (closing == std::string_view::npos) {
         c_comment_end_missing_from_ = std::min(c_comment_end_missing_from_, begin + 2);
-        end = end_of_first_line(begin, DiagnosticId::unterminated_comment, "/*", "*/");
+        end = end_of_prose(begin, "/*", "*/");
     } else {
         end = begin_ + closing + 2;
         report(DiagnosticId::c_comment, range(begin, end));
