@@ -321,6 +321,7 @@ private:
     std::optional<Report> accept_parenthesis_for_bracket();
     void close_parenthesis_for_bracket(Report report);
     void check_element_type(const ast::TypeSpecification& type);
+    void skip_structure();
     const ast::TypeSpecification* parse_too_deep_type();
     const ast::Expression* as_enumerated_value(const ast::Expression& name);
     const ast::TypeSpecification*

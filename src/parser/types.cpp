@@ -515,8 +515,13 @@ void Parser::check_element_type(const ast::TypeSpecification& type) {
 
 const ast::TypeSpecification* Parser::parse_too_deep_type() {
     auto* error = make<ast::ErrorType>();
-    advance();
-    skip_declaration();
+    const bool structure = accept(TokenKind::kw_struct);
+    if (!structure) {
+        advance();
+        skip_declaration();
+    }
+    if (structure || accept(TokenKind::kw_struct))
+        skip_structure();
     return finish(error);
 }
 
@@ -536,6 +541,15 @@ void Parser::parse_structure_elements(ast::StructureDeclaration& structure, std:
     open_block(TokenKind::kw_end_struct, opener);
     ListBuilder<ast::Node> elements(*this);
     while (!at_end_of_declarations())
+/// Behind STRUCT: passes over the structure with its closing word.
+void Parser::skip_structure() {
+    for (std::uint32_t depth = 1; depth > 0 && !at(unit_ends) && !at(TokenKind::kw_end_var);
+         advance()) {
+        depth += at(TokenKind::kw_struct) ? 1 : 0;
+        depth -= at(TokenKind::kw_end_struct) ? 1 : 0;
+    }
+}
+
         add_in_loop(elements, [this] { return parse_structure_element_declaration(); });
     if (elements.empty())
         report_empty_block(opener);
