@@ -3,7 +3,10 @@
 #include "support/invariants.hpp"
 #include "support/line_diff.hpp"
 
+#include <iecfront/ast/dump.hpp>
+#include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/diagnostics/severity.hpp>
+#include <iecfront/parser/parse.hpp>
 #include <iecfront/source/encoding.hpp>
 
 #include <cctype>
@@ -124,6 +127,48 @@ TEST_P(Cases, AreAsExpected) {
         update(file);
     for (const Case& one : file.cases)
         Checker(file, one).check(run_case(one));
+}
+
+/// True when what stands behind `tree` is a declaration of its own.
+[[nodiscard]] bool is_closed(const SyntaxTree& tree) {
+    const Unit& last = *tree.slots().back().unit;
+    if (last.depends_on_rest() || last.tokens().empty())
+        return false;
+    switch (last.tokens().back().kind()) {
+    case TokenKind::kw_end_type:
+    case TokenKind::kw_end_function:
+    case TokenKind::kw_end_function_block:
+    case TokenKind::kw_end_program:
+    case TokenKind::kw_end_configuration: return true;
+    default: return false;
+    }
+}
+
+/// B.0: what is wrong in a declaration stays in it. The one before it and, where it is closed, the
+/// one behind it are read as if they stood alone.
+TEST_P(Cases, KeepTheirFaultsToThemselves) {
+    const std::string good =
+        "FUNCTION good : INT\nVAR_INPUT a : INT; END_VAR\n    good := a;\nEND_FUNCTION";
+    const SyntaxTree alone = parse(SourceText(good));
+    const Unit& expected = *alone.slots().front().unit;
+    const auto expect_good = [&](const SyntaxTree::Slot& slot, const Case& one) {
+        const Unit& unit = *slot.unit;
+        const std::size_t begin = unit.text().find(expected.text());
+        ASSERT_NE(begin, std::string_view::npos) << one.title;
+        for (const Diagnostic& found : unit.diagnostics()) // else it is about what is around it
+            EXPECT_TRUE(found.range.begin < begin ||
+                        found.range.begin >= begin + expected.text().size())
+                << one.title;
+        EXPECT_EQ(s_expression(unit, *unit.root().elements.front()),
+                  s_expression(expected, *expected.root().elements.front()))
+            << one.title;
+    };
+    for (const Case& one : GetParam().cases) {
+        const std::string source = "\n" + one.source();
+        expect_good(parse(SourceText(good + source)).slots().front(), one);
+        if (is_closed(parse(SourceText(source))))
+            expect_good(parse(SourceText(source + "\n" + good)).slots().back(), one);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Cases, testing::ValuesIn(all_case_files()),
