@@ -77,10 +77,13 @@ private:
     const char* string(const char* begin);
     const char* location(const char* begin);
     [[nodiscard]] const char* end_behind_inner_quote(const char* end);
+    const char* unclosed_string(const char* begin, const char* end);
+    [[nodiscard]] bool is_stray_quote(const char* begin) const;
     const char* number_sign(const char* begin);
     const char* dot(const char* begin);
     const char* slash(const char* begin);
     const char* star(const char* begin);
+    const char* left_parenthesis(const char* begin);
     const char* comment(const char* begin);
     const char* line_comment(const char* begin);
     const char* c_comment(const char* begin);
@@ -143,6 +146,11 @@ private:
     }
     static void add_replacement(Diagnostic& diagnostic, TextRange where, std::string text = {}) {
         diagnostic.fixes.push_back({{TextEdit{where, std::move(text)}}});
+    }
+    void report_gap(TextRange gap, const char* delimiter) {
+        Diagnostic& diagnostic = report(DiagnosticId::white_space_in_delimiter, gap);
+        diagnostic.arguments.emplace_back(std::string(delimiter));
+        add_replacement(diagnostic, gap);
     }
     Token take_back();
     // Tokens are written into a row made beforehand, which is cut to its length in the end.
@@ -227,7 +235,7 @@ LexedText Lexer::run(bool at_file_start) {
             break;
         case CharacterClass::number_sign: p = number_sign(p); break;
         case CharacterClass::parenthesis_left:
-            p = p[1] == '*' ? comment(p) : delimiter(TokenKind::left_parenthesis, p, 1);
+            p = p[1] == '*' ? comment(p) : left_parenthesis(p);
             break;
         case CharacterClass::percent: p = location(p); break;
         case CharacterClass::slash: p = slash(p); break;
@@ -693,10 +701,14 @@ namespace {
            std::all_of(point + 1, end, is_digit);
 }
 
+[[nodiscard]] bool is_lone_dot(const char* p) noexcept {
+    return *p == '.' && p[1] != '.';
+}
+
 } // namespace
 
 const char* Lexer::number_with_point(const char* begin, const char* point) {
-    if (point[1] == '.')
+    if (point[1] == '.' || is_lone_dot(Extents::blanks_end(point + 1))) // `1..3` and `1. .3`
         return integer(begin, point);
     const char* end = point + 1;
     if (Extents::point_begins_fraction(point))
@@ -831,10 +843,72 @@ const char* Lexer::string(const char* begin) {
         emit_any(kind, begin, whole_end, true);
         return whole_end;
     }
-    if (!is_plain_string(view(begin, end)))
-        return literal(kind, begin, end);
-    emit_any(kind, begin, end);
-    return end;
+    if (is_plain_string(view(begin, end))) {
+        emit_any(kind, begin, end);
+        return end;
+    }
+    if (std::find(begin + 1, end, *begin) == end)
+        if (const char* const other_end = unclosed_string(begin, end))
+            return other_end;
+    return literal(kind, begin, end);
+}
+
+namespace {
+
+[[nodiscard]] bool is_line_end(char c) noexcept {
+    return class_of(c) == CharacterClass::line_end;
+}
+
+// What stands behind a string at the end of a statement or argument.
+[[nodiscard]] bool ends_operand_at(const char* p) noexcept {
+    return std::string_view(";,)]").find(*Extents::blanks_end(p)) != std::string_view::npos;
+}
+
+// The quote in the line at `begin` that closes a string of the line before; null when there is
+// none: what stands before it is no code, and what stands behind it ends the operand.
+[[nodiscard]] const char* quote_on_next_line(const char* begin, const char* text_end,
+                                             char quote) noexcept {
+    const char* const end = std::find_if(begin, text_end, is_line_end);
+    const char* const close = std::find(begin, end, quote);
+    const std::string_view before(begin, static_cast<std::size_t>(close - begin));
+    const bool closes = close != end && std::count(close, end, quote) % 2 == 1 &&
+                        before.find_first_of(";=$") == before.npos && ends_operand_at(close + 1);
+    return closes ? close : nullptr;
+}
+
+} // namespace
+
+// A quote that nothing closes in its line, which ends at `end`: one too many in `x := y';`, or
+// that of a string which the next line closes. Null when it is neither.
+const char* Lexer::unclosed_string(const char* begin, const char* end) {
+    result_.open_ended.push_back(offset(begin)); // what follows may be of other units
+    if (is_stray_quote(begin)) {
+        Diagnostic& diagnostic =
+            report(DiagnosticId::unexpected_character, range(begin, begin + 1));
+        diagnostic.arguments.emplace_back(static_cast<char32_t>(*begin));
+        add_replacement(diagnostic, range(begin, begin + 1));
+        emit(TokenKind::unknown, begin, begin + 1, true);
+        return begin + 1;
+    }
+    const char* const next = end + (*end == '\r' && end[1] == '\n' ? 2 : 1);
+    if (!is_line_end(*end) || view(begin, end).find(';') != std::string_view::npos)
+        return nullptr;
+    const char* const close = quote_on_next_line(next, end_, *begin);
+    if (close == nullptr || static_cast<std::size_t>(close - begin) >= Token::maximum_length)
+        return nullptr;
+    Diagnostic& diagnostic = report(DiagnosticId::unterminated_string, range(begin, begin + 1));
+    diagnostic.arguments.emplace_back(std::string{'`', *begin, '`'});
+    add_replacement(diagnostic, range(end, Extents::blanks_end(next)), "$N");
+    emit(*begin == '"' ? TokenKind::double_byte_string : TokenKind::single_byte_string, begin,
+         close + 1, true);
+    return close + 1;
+}
+
+// Directly behind an operand, and before what can follow one.
+bool Lexer::is_stray_quote(const char* begin) const {
+    return has_tokens() && last_token().end() == offset(begin) &&
+           !is_keyword(last_token().kind()) && ends_operand(last_token(), begin) &&
+           ends_operand_at(begin + 1);
 }
 
 // The end of `'it's'`, when a word that is no keyword adjoins the string that ends at `end`, and
@@ -893,6 +967,11 @@ bool Lexer::ends_operand(Token token, const char* next) const {
 const char* Lexer::dot(const char* begin) {
     if (begin[1] == '.')
         return delimiter(TokenKind::dot_dot, begin, 2);
+    if (const char* const second = Extents::blanks_end(begin + 1); is_lone_dot(second)) {
+        report_gap(range(begin + 1, second), "..");
+        emit(TokenKind::dot_dot, begin, second + 1, true);
+        return second + 1;
+    }
     const bool third = has_tokens() && last_token().kind() == TokenKind::dot_dot &&
                        last_token().end() == offset(begin); // `1...5`
     if (!is_digit(begin[1]) || third)
@@ -1054,6 +1133,28 @@ const char* Lexer::find_comment_end(const char* begin) {
             return comment_end_ = p;
     }
     return nullptr;
+}
+
+// A `(`, or `( *` where a comment begins that a `*)` ends and no other one.
+const char* Lexer::left_parenthesis(const char* begin) {
+    const char* const blanks = begin + 1;
+    const char* const star = Extents::blanks_end(blanks);
+    if (star == blanks || *star != '*' || star[1] == ')')
+        return delimiter(TokenKind::left_parenthesis, begin, 1);
+    constexpr std::ptrdiff_t furthest = 2000; // bounds the time that many of them take
+    const char* closing = nullptr;
+    if (star < comment_end_missing_from_)
+        closing = find_comment_end(star + 1);
+    if (closing == nullptr)
+        comment_end_missing_from_ = std::min(comment_end_missing_from_, star);
+    if (closing == nullptr || closing - star > furthest ||
+        find_comment_begin(star, closing) != nullptr) {
+        result_.open_ended.push_back(offset(begin));
+        return delimiter(TokenKind::left_parenthesis, begin, 1);
+    }
+    report_gap(range(blanks, star), "(*");
+    add_trivia(TriviaKind::comment, begin, closing + 1);
+    return closing + 1;
 }
 
 const char* Lexer::comment(const char* begin) {
