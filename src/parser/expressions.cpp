@@ -312,6 +312,11 @@ const ast::Expression* Parser::check_function_call(const ast::Expression* operan
     if (call == nullptr)
         return operand;
     if (call->function->kind != ast::NodeKind::variable_name)
+    if (peek() == TokenKind::left_parenthesis && peek_second() != TokenKind::right_parenthesis &&
+        names_type(at_)) { // `INT(x)`
+        report_conversion(at_, at_ + 1, kind());
+        return parse_operator_call();
+    }
         report_call_of_member(*call->function);
     else if (call->arguments.empty() &&
              tokens_[call->end_token - 1].kind() == TokenKind::right_parenthesis)
@@ -390,10 +395,42 @@ bool Parser::formal_list_follows() const noexcept {
     return (here == TokenKind::identifier || execution_control.contains(here)) &&
            (after == TokenKind::assign || after == TokenKind::output_arrow);
 }
+/// True at a keyword that is a type's name, and not meant as the name of a variable.
+bool Parser::names_type(std::uint32_t index) const noexcept {
+    const TokenKind here = tokens_[index].kind();
+    return is_elementary_type_name(here) && !used_as_name(here);
+}
+
+/// About a type's name in an expression: what converts is a function (2.5.1.5.1).
+void Parser::report_conversion(std::uint32_t first, std::uint32_t end, TokenKind type) {
+    const TextRange range = token_range(first, end);
+    const std::string from = type == TokenKind::kw_int ? "REAL" : "INT";
+    report(DiagnosticId::unexpected_token, range,
+           {"a conversion like `" + from + "_TO_" + std::string(spelling(type)) + "(...)`",
+            "`" + std::string(text_.substr(range.begin, range.size())) + "`"});
+}
+
+/// `(INT) x`, as other languages convert.
+const ast::Expression* Parser::parse_cast() {
+    auto* cast = make<ast::ErrorExpression>();
+    const std::uint32_t type = next(at_);
+    report_conversion(at_, next(type) + 1, tokens_[type].kind());
+    while (at_ <= next(type))
+        advance();
+    parse_unary();
+    return finish(cast);
+}
+
 
 // variable = direct_variable | symbolic_variable | "EN" | "ENO" ;
 // symbolic_variable = variable_name | multi_element_variable ;
 const ast::Expression* Parser::parse_variable() {
+    if (is_elementary_type_name(peek()) && peek_second() == TokenKind::right_parenthesis &&
+        names_type(next(at_))) {
+        const std::uint32_t behind = next(next(next(at_)));
+        if (begins_operand_on_line(behind) || tokens_[behind].kind() == TokenKind::left_parenthesis)
+            return parse_cast();
+    }
     return parse_selectors(parse_variable_name());
 }
 

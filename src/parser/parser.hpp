@@ -377,7 +377,7 @@ private:
     void parse_block_head(ast::VariableDeclarations& block, Place place);
     TokenKind accept_split_block_opener();
     void accept_misspelt(TokenKind meant);
-    void report_swapped(std::uint32_t second);
+    void report_swapped(std::uint32_t second, std::string_view between = " ");
     [[nodiscard]] TokenKind misspelt_qualifier() const noexcept;
     [[nodiscard]] bool at_unknown_qualifier() const noexcept;
     const ast::Node* parse_type_before_names();
@@ -415,6 +415,7 @@ private:
     ast::List<ast::VariableDeclarations> parse_declaration_blocks(Place place);
     const ast::Identifier* parse_unit_name(std::string what);
     [[nodiscard]] bool at_keyword_for_unit_name();
+    [[nodiscard]] bool at_type_before_name() const noexcept;
     const ast::TypeSpecification* parse_result_type();
     void skip_parameters();
     void skip_rest_of_head();
@@ -527,6 +528,11 @@ private:
     [[nodiscard]] bool at_assignment_on_new_line() const noexcept;
     [[nodiscard]] bool at_shift() const noexcept;
     const ast::Expression* parse_shift(const ast::Expression* left);
+    [[nodiscard]] bool statement_ends(std::uint32_t i) const noexcept;
+    [[nodiscard]] bool at_misspelt_not() const noexcept;
+    [[nodiscard]] bool names_type(std::uint32_t index) const noexcept;
+    void report_conversion(std::uint32_t first, std::uint32_t end, TokenKind type);
+    const ast::Expression* parse_cast();
     void report_call_of_member(const ast::Expression& callee);
     const ast::Expression* parse_too_deep_expression();
     const ast::Expression* check_function_call(const ast::Expression* operand);

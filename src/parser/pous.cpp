@@ -14,14 +14,29 @@ const ast::FunctionDeclaration* Parser::parse_function_declaration() {
     auto* node = make<ast::FunctionDeclaration>();
     place_ = Place::function;
     open_block(TokenKind::kw_end_function, advance());
+    const bool type_first = at_type_before_name();
+    if (type_first) {
+        report_swapped(next(at_), " : ");
+        advance();
+    }
     node->name = parse_unit_name("the name of a function");
     skip_parameters();
-    node->result_type = parse_result_type();
+    node->result_type = type_first ? make_missing<ast::ErrorType>() : parse_result_type();
     skip_rest_of_head();
     node->declarations = parse_declaration_blocks(place_);
     node->body = parse_body();
     close_block("");
     return finish(node);
+}
+
+/// `FUNCTION INT f`, as in C.
+bool Parser::at_type_before_name() const noexcept {
+    const std::uint32_t name = next(at_);
+    const std::uint32_t behind = next(name);
+    return is_elementary_type_name(kind()) && tokens_[name].kind() == TokenKind::identifier &&
+           !tokens_[name].first_on_line() &&
+           (tokens_[behind].first_on_line() || block_openers.contains(tokens_[behind].kind()) ||
+            tokens_[behind].kind() == TokenKind::left_parenthesis);
 }
 
 /// The name may stand on the next line, but what begins a statement there is none.
@@ -72,6 +87,17 @@ const ast::TypeSpecification* Parser::parse_result_type() {
         return make_missing<ast::ErrorType>();
     }
     expect_colon();
+    const bool parameters = is_elementary_type_name(kind()) &&
+                            peek() == TokenKind::left_parenthesis &&
+                            peek_second() == TokenKind::identifier &&
+                            tokens_[next(next(next(at_)))].kind() == TokenKind::colon;
+    if (parameters) { // `FUNCTION f : INT (a : INT)`
+        auto* name = make<ast::ElementaryTypeName>();
+        advance();
+        finish(name);
+        skip_parameters();
+        return name;
+    }
     const ast::TypeSpecification* type = parse_type_specification();
     switch (type->kind) {
     case ast::NodeKind::elementary_type_name:

@@ -185,9 +185,10 @@ void Parser::parse_block_head(ast::VariableDeclarations& block, Place place) {
 }
 
 /// Reports the token at the cursor and `second` behind it, which stand in the wrong order.
-void Parser::report_swapped(std::uint32_t second) {
+void Parser::report_swapped(std::uint32_t second, std::string_view between) {
     const TextRange range = token_range(at_, second + 1);
-    const std::string meant = std::string(text(second)) + " " + std::string(text(at_));
+    const std::string meant =
+        std::string(text(second)) + std::string(between) + std::string(text(at_));
     report(DiagnosticId::unexpected_token, range,
            {"`" + meant + "`", "`" + std::string(text_.substr(range.begin, range.size())) + "`"})
         .replace(range, meant);
