@@ -123,7 +123,7 @@ bool Parser::expect(TokenKind expected) {
         diagnostics_.back().id == DiagnosticId::missing_token && !diagnostics_.back().fixes.empty();
     if (again) { // one report for all brackets that are missing in one place
         TextEdit& edit = diagnostics_.back().fixes.front().edits.back();
-        if (edit.range.begin == previous_end())
+        if (edit.range.end == previous_end())
             edit.replacement += words;
     }
     report_missing(DiagnosticId::missing_token, {"`" + words + "`"})

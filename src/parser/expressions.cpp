@@ -332,7 +332,7 @@ void Parser::report_call_of_member(const ast::Expression& callee) {
 
 /// True when an operand is missing at the end of the line before, as an assignment follows.
 bool Parser::at_assignment_on_new_line() const noexcept {
-    if (!token().first_on_line() || at_ == 0 || in_condition_ ||
+    if (!token().first_on_line() || at_ == 0 ||
         (!at(TokenKind::identifier) && !at(TokenKind::direct_variable)))
         return false;
     std::uint32_t depth = 0; // of brackets
@@ -346,7 +346,24 @@ bool Parser::at_assignment_on_new_line() const noexcept {
         else if (here == TokenKind::right_bracket && depth > 0)
             --depth;
         else if (depth == 0 && here != TokenKind::dot && here != TokenKind::identifier)
-            return here == TokenKind::assign;
+            return here == TokenKind::assign && (!in_condition_ || statement_ends(i));
+    }
+    return false;
+}
+
+/// True when nothing before the next `;` belongs to a condition around token `i`.
+bool Parser::statement_ends(std::uint32_t i) const noexcept {
+    if (open_.empty() || open_.back().closer == TokenKind::kw_end_transition)
+        return false;
+    std::uint32_t depth = 0; // of parentheses
+    for (std::uint32_t steps = 0; steps < furthest_on_line; i = next(i), ++steps) {
+        const TokenKind here = tokens_[i].kind();
+        if (here == TokenKind::semicolon)
+            return tokens_[next(i)].kind() != TokenKind::kw_end_repeat;
+        if (part_words.contains(here) || statement_closers.contains(here) || i == count_ ||
+            (here == TokenKind::right_parenthesis && depth-- == 0))
+            return false;
+        depth += here == TokenKind::left_parenthesis ? 1 : 0;
     }
     return false;
 }
@@ -528,13 +545,13 @@ ast::List<ast::Node> Parser::parse_arguments() {
     const std::uint32_t open = advance();
     ListBuilder<ast::Node> arguments(*this);
     // An unfinished call takes no assignment of the next line for an argument.
-    const bool unfinished =
-        token().first_on_line() && peek() == TokenKind::assign && !argument_list_closes(at_);
+    const bool unfinished = at_assignment_on_new_line() && !argument_list_closes(at_);
     if (!at(TokenKind::right_parenthesis) && !unfinished) {
         const ast::Node* last = nullptr;
         do
             arguments.add(last = parse_argument(open));
-        while (accept(TokenKind::comma) || accept_missing_comma(is_formal(*last)));
+        while (accept_argument_comma(open, is_formal(*last)) ||
+               accept_missing_comma(is_formal(*last)));
     }
     static constexpr TokenSet expected{TokenKind::right_parenthesis, TokenKind::right_bracket,
                                        TokenKind::semicolon};
@@ -564,6 +581,28 @@ bool Parser::accept_missing_comma(bool named) {
         report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
         return true;
     }
+/// A comma. When the next line assigns to something, it stands in the place of the `)`.
+bool Parser::accept_argument_comma(std::uint32_t open, bool formal) {
+    const TextRange comma = token().range();
+    if (!accept(TokenKind::comma))
+        return false;
+    // A formal argument looks like an assignment, but stands further right than the statement.
+    if (!at_assignment_on_new_line() || (formal && stands_right_of_line(open)) ||
+        argument_list_closes(at_))
+        return true;
+    report_missing(DiagnosticId::missing_token, {"`)`"}).replace(comma, {});
+    return false;
+}
+
+/// True when the token at the cursor, first on its line, stands right of where the line of another
+/// one begins.
+bool Parser::stands_right_of_line(std::uint32_t index) const noexcept {
+    for (std::uint32_t steps = 0; steps < furthest_on_line; ++steps, --index)
+        if (index == 0 || tokens_[index].first_on_line())
+            return column(at_) > column(index);
+    return true;
+}
+
     const std::uint32_t behind = next(at_);
     if (!at(TokenKind::semicolon) || tokens_[behind].first_on_line() ||
         !argument_list_closes(behind))

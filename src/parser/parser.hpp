@@ -543,6 +543,8 @@ private:
     bool accept_missing_comma(bool named = false);
     [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const;
     [[nodiscard]] bool argument_list_closes(std::uint32_t i) const noexcept;
+    bool accept_argument_comma(std::uint32_t open, bool formal);
+    [[nodiscard]] bool stands_right_of_line(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_expression_start() const noexcept;
     [[nodiscard]] bool at_operand_keyword() const noexcept;
 
