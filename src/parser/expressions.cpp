@@ -57,6 +57,8 @@ OperatorRow operator_of_other_languages(std::string_view word, bool before_opera
         return {3, ast::BinaryOperator::logical_and, "AND"};
     if (names_equal(word, "OR_ELSE"))
         return {1, ast::BinaryOperator::logical_or, "OR"};
+    if (before_operand && names_equal(word, "RO"))
+        return {1, ast::BinaryOperator::logical_or, "OR"};
     if (before_operand)
         for (const TokenKind meant : {TokenKind::kw_and, TokenKind::kw_xor, TokenKind::kw_mod})
             if (is_misspelling(word, spelling(meant))) {
@@ -257,8 +259,12 @@ const ast::Expression* Parser::parse_unary() {
         return parse_constant();
     const bool minus = at(TokenKind::minus);
     const bool plus = at(TokenKind::plus);
-    if (!minus && !plus && !at(TokenKind::kw_not))
+    const bool misspelt = peek() == TokenKind::identifier && at_misspelt_not();
+    if (!minus && !plus && !at(TokenKind::kw_not) && !misspelt)
         return parse_primary();
+    if (misspelt)
+        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), "NOT"})
+            .replace(token().range(), "NOT");
     if (at(TokenKind::kw_not) && peek() == TokenKind::left_parenthesis && formal_list_follows())
         return check_function_call(parse_operator_call());
     const NestingGuard guard(*this);
@@ -278,6 +284,12 @@ const ast::Expression* Parser::parse_unary() {
         report_at(at_, DiagnosticId::repeated_unary_operator);
     node->operand = parse_unary();
     return finish(node);
+}
+
+/// `NTO a`
+bool Parser::at_misspelt_not() const noexcept {
+    return (at_word("NTO") || at_word("ONT")) && !tokens_[next(at_)].first_on_line() &&
+           operator_of_other_languages(text(next(at_)), true).strength == 0;
 }
 
 // primary_expression = constant | enumerated_value | variable | "(" expression ")"
@@ -300,6 +312,11 @@ const ast::Expression* Parser::parse_primary() {
         return parse_constant();
     if (at(operator_functions) && peek() == TokenKind::left_parenthesis)
         return check_function_call(parse_operator_call());
+    if (peek() == TokenKind::left_parenthesis && peek_second() != TokenKind::right_parenthesis &&
+        names_type(at_)) { // `INT(x)`
+        report_conversion(at_, at_ + 1, kind());
+        return parse_operator_call();
+    }
     if (at_operand_keyword() || (is_keyword(kind()) && used_as_name(kind())) ||
         at_keyword_for_variable())
         return parse_variable();
@@ -312,11 +329,6 @@ const ast::Expression* Parser::check_function_call(const ast::Expression* operan
     if (call == nullptr)
         return operand;
     if (call->function->kind != ast::NodeKind::variable_name)
-    if (peek() == TokenKind::left_parenthesis && peek_second() != TokenKind::right_parenthesis &&
-        names_type(at_)) { // `INT(x)`
-        report_conversion(at_, at_ + 1, kind());
-        return parse_operator_call();
-    }
         report_call_of_member(*call->function);
     else if (call->arguments.empty() &&
              tokens_[call->end_token - 1].kind() == TokenKind::right_parenthesis)
@@ -384,34 +396,6 @@ const ast::Expression* Parser::parse_too_deep_expression() {
     return finish(error);
 }
 
-const ast::Expression* Parser::parse_parenthesized() {
-    const NestingGuard guard(*this);
-    if (guard.too_deep())
-        return parse_too_deep_expression();
-    auto* node = make<ast::ParenthesizedExpression>();
-    advance();
-    node->expression = parse_condition();
-    expect(TokenKind::right_parenthesis);
-    return finish(node);
-}
-
-/// `AND(a, b)` and its like: an operator that stands for the function of its name (6.1 D25).
-const ast::Expression* Parser::parse_operator_call() {
-    auto* name = make<ast::VariableName>();
-    name->hash = hash_name(text(at_));
-    advance();
-    return parse_selectors(finish(name));
-}
-
-/// At an operator that is also a function: true when `name :=` or `name =>` follows the
-/// parenthesis.
-bool Parser::formal_list_follows() const noexcept {
-    const std::uint32_t name = next(next(at_));
-    const TokenKind after = tokens_[next(name)].kind();
-    const TokenKind here = tokens_[name].kind();
-    return (here == TokenKind::identifier || execution_control.contains(here)) &&
-           (after == TokenKind::assign || after == TokenKind::output_arrow);
-}
 /// True at a keyword that is a type's name, and not meant as the name of a variable.
 bool Parser::names_type(std::uint32_t index) const noexcept {
     const TokenKind here = tokens_[index].kind();
@@ -438,16 +422,44 @@ const ast::Expression* Parser::parse_cast() {
     return finish(cast);
 }
 
-
-// variable = direct_variable | symbolic_variable | "EN" | "ENO" ;
-// symbolic_variable = variable_name | multi_element_variable ;
-const ast::Expression* Parser::parse_variable() {
+const ast::Expression* Parser::parse_parenthesized() {
+    const NestingGuard guard(*this);
+    if (guard.too_deep())
+        return parse_too_deep_expression();
     if (is_elementary_type_name(peek()) && peek_second() == TokenKind::right_parenthesis &&
         names_type(next(at_))) {
         const std::uint32_t behind = next(next(next(at_)));
         if (begins_operand_on_line(behind) || tokens_[behind].kind() == TokenKind::left_parenthesis)
             return parse_cast();
     }
+    auto* node = make<ast::ParenthesizedExpression>();
+    advance();
+    node->expression = parse_condition();
+    expect(TokenKind::right_parenthesis);
+    return finish(node);
+}
+
+/// `AND(a, b)` and its like: an operator that stands for the function of its name (6.1 D25).
+const ast::Expression* Parser::parse_operator_call() {
+    auto* name = make<ast::VariableName>();
+    name->hash = hash_name(text(at_));
+    advance();
+    return parse_selectors(finish(name));
+}
+
+/// At an operator that is also a function: true when `name :=` or `name =>` follows the
+/// parenthesis.
+bool Parser::formal_list_follows() const noexcept {
+    const std::uint32_t name = next(next(at_));
+    const TokenKind after = tokens_[next(name)].kind();
+    const TokenKind here = tokens_[name].kind();
+    return (here == TokenKind::identifier || execution_control.contains(here)) &&
+           (after == TokenKind::assign || after == TokenKind::output_arrow);
+}
+
+// variable = direct_variable | symbolic_variable | "EN" | "ENO" ;
+// symbolic_variable = variable_name | multi_element_variable ;
+const ast::Expression* Parser::parse_variable() {
     return parse_selectors(parse_variable_name());
 }
 
@@ -569,18 +581,6 @@ ast::List<ast::Node> Parser::parse_arguments() {
     return list;
 }
 
-/// Between two elements of a list: something that begins another one follows directly, or behind
-/// a `;`. In a list of `named` elements that is a name.
-bool Parser::accept_missing_comma(bool named) {
-    const bool formal = (at(TokenKind::identifier) || at(execution_control)) &&
-                        (peek() == TokenKind::assign || peek() == TokenKind::output_arrow);
-    const bool operand = at_expression_start() && !token().first_on_line() && !named;
-    if (operand || (formal && argument_list_closes(at_))) {
-        if (std::exchange(comma_assumed_at_, at_) == at_)
-            return false; // the element behind the last one took nothing
-        report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
-        return true;
-    }
 /// A comma. When the next line assigns to something, it stands in the place of the `)`.
 bool Parser::accept_argument_comma(std::uint32_t open, bool formal) {
     const TextRange comma = token().range();
@@ -603,6 +603,18 @@ bool Parser::stands_right_of_line(std::uint32_t index) const noexcept {
     return true;
 }
 
+/// Between two elements of a list: something that begins another one follows directly, or behind
+/// a `;`. In a list of `named` elements that is a name.
+bool Parser::accept_missing_comma(bool named) {
+    const bool formal = (at(TokenKind::identifier) || at(execution_control)) &&
+                        (peek() == TokenKind::assign || peek() == TokenKind::output_arrow);
+    const bool operand = at_expression_start() && !token().first_on_line() && !named;
+    if (operand || (formal && argument_list_closes(at_))) {
+        if (std::exchange(comma_assumed_at_, at_) == at_)
+            return false; // the element behind the last one took nothing
+        report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
+        return true;
+    }
     const std::uint32_t behind = next(at_);
     if (!at(TokenKind::semicolon) || tokens_[behind].first_on_line() ||
         !argument_list_closes(behind))

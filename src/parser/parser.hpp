@@ -350,6 +350,7 @@ private:
     const ast::Node* parse_structure_element_declaration();
     const ast::Expression* parse_optional_initial_value();
     void check_initial_value(const ast::TypeSpecification& type, const ast::Expression* value);
+    bool report_braces();
     [[nodiscard]] TokenKind separator_in_parentheses() const noexcept;
     const ast::Expression* parse_initial_value();
     const ast::Expression* parse_enumerated_value();
@@ -381,6 +382,7 @@ private:
     [[nodiscard]] TokenKind misspelt_qualifier() const noexcept;
     [[nodiscard]] bool at_unknown_qualifier() const noexcept;
     const ast::Node* parse_type_before_names();
+    void accept_qualifier_of_declaration(const ast::VariableDeclarations& block);
     void parse_location_behind_type(const ast::VariableDeclaration& declaration);
     const ast::VariableDeclaration* parse_names_only(ast::VariableDeclaration* node);
     void check_block(const ast::VariableDeclarations& block, std::uint32_t qualifier, Place place);
@@ -413,9 +415,9 @@ private:
     const ast::FunctionBlockDeclaration* parse_function_block_declaration();
     const ast::ProgramDeclaration* parse_program_declaration();
     ast::List<ast::VariableDeclarations> parse_declaration_blocks(Place place);
+    [[nodiscard]] bool at_type_before_name() const noexcept;
     const ast::Identifier* parse_unit_name(std::string what);
     [[nodiscard]] bool at_keyword_for_unit_name();
-    [[nodiscard]] bool at_type_before_name() const noexcept;
     const ast::TypeSpecification* parse_result_type();
     void skip_parameters();
     void skip_rest_of_head();
@@ -526,13 +528,13 @@ private:
     void check_arguments(const ast::List<ast::Node>& arguments);
     const ast::Expression* parse_missing_expression();
     [[nodiscard]] bool at_assignment_on_new_line() const noexcept;
-    [[nodiscard]] bool at_shift() const noexcept;
-    const ast::Expression* parse_shift(const ast::Expression* left);
     [[nodiscard]] bool statement_ends(std::uint32_t i) const noexcept;
     [[nodiscard]] bool at_misspelt_not() const noexcept;
     [[nodiscard]] bool names_type(std::uint32_t index) const noexcept;
     void report_conversion(std::uint32_t first, std::uint32_t end, TokenKind type);
     const ast::Expression* parse_cast();
+    [[nodiscard]] bool at_shift() const noexcept;
+    const ast::Expression* parse_shift(const ast::Expression* left);
     void report_call_of_member(const ast::Expression& callee);
     const ast::Expression* parse_too_deep_expression();
     const ast::Expression* check_function_call(const ast::Expression* operand);
@@ -541,10 +543,10 @@ private:
     [[nodiscard]] bool formal_list_follows() const noexcept;
     [[nodiscard]] static unsigned operator_strength(TokenKind kind) noexcept;
     bool accept_missing_comma(bool named = false);
-    [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const;
-    [[nodiscard]] bool argument_list_closes(std::uint32_t i) const noexcept;
     bool accept_argument_comma(std::uint32_t open, bool formal);
     [[nodiscard]] bool stands_right_of_line(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const;
+    [[nodiscard]] bool argument_list_closes(std::uint32_t i) const noexcept;
     [[nodiscard]] bool at_expression_start() const noexcept;
     [[nodiscard]] bool at_operand_keyword() const noexcept;
 
@@ -560,6 +562,7 @@ private:
     bool report_missing_head(TokenKind closer);
     [[nodiscard]] bool belongs_to_outer_if() noexcept;
     [[nodiscard]] bool at_misspelt_elsif() const noexcept;
+    [[nodiscard]] bool at_missing_elsif() noexcept;
     [[nodiscard]] bool at_misspelt_else() const noexcept;
     [[nodiscard]] bool at_misspelt_until() const noexcept;
     [[nodiscard]] bool at_while_for_until();
@@ -606,6 +609,7 @@ private:
     [[nodiscard]] bool followed_by_end_if_of(std::uint32_t end,
                                              std::uint32_t opener) const noexcept;
     void expect_word(TokenKind word);
+    [[nodiscard]] bool is_semicolon_for_to(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_word_of_other_language(TokenKind word) const noexcept;
     [[nodiscard]] bool at_case_label() const noexcept;
     [[nodiscard]] bool at_label_in_parentheses() const noexcept;

@@ -128,7 +128,10 @@ bool Parser::at_misspelt_closer() const noexcept {
     const bool alone = after == TokenKind::semicolon || tokens_[next(at_)].first_on_line() ||
                        after == TokenKind::end_of_unit || chart_openers.contains(after) ||
                        closers.contains(after);
-    return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer));
+    const bool of_element = library_element_closers.contains(open_.back().closer) &&
+                            names_equal(word.substr(0, 3), "END");
+    return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer) ||
+                     (of_element && ends_library_element(at_)));
 }
 
 /// `END IF`, `END _IF`, `END_ IF` or `END_FUNCTION BLOCK`.

@@ -75,8 +75,8 @@ bool Parser::at_end_of_statements() {
     }
     if (innermost == TokenKind::kw_end_case && (at_case_label() || at_repeated_case()))
         return !open_.back().in_else;
-    if ((innermost == TokenKind::kw_end_if && at_misspelt_elsif()) || at_misspelt_else() ||
-        at_misspelt_until() || at_while_for_until())
+    if ((innermost == TokenKind::kw_end_if && (at_misspelt_elsif() || at_missing_elsif())) ||
+        at_misspelt_else() || at_misspelt_until() || at_while_for_until())
         return true;
     // A label inside another statement: that statement is not closed.
     if ((token().first_on_line() || at(TokenKind::integer)) && is_open(TokenKind::kw_end_case) &&
@@ -118,6 +118,13 @@ bool Parser::at_misspelt_elsif() const noexcept {
     return at(TokenKind::identifier) && !open_.back().in_else &&
            is_misspelling(text(at_), spelling(TokenKind::kw_elsif)) &&
            find_on_line(TokenKind::kw_then) < count_;
+}
+
+/// `b = 2 THEN` on a line of its own, where no IF is missing.
+bool Parser::at_missing_elsif() noexcept {
+    return at(TokenKind::identifier) && token().first_on_line() && !open_.back().in_else &&
+           (operator_strength(peek()) > 0 || peek() == TokenKind::kw_then) &&
+           unclosed(TokenKind::kw_end_if) >= 0 && find_on_line(TokenKind::kw_then) < count_;
 }
 
 /// `ELS` and the like, on a line of its own or before a statement.
@@ -636,7 +643,7 @@ const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
     ListBuilder<ast::ElsifClause> clauses(*this);
     while (open_.back().closer == TokenKind::kw_end_if) {
         if (at(TokenKind::kw_elsif) || at_else_if_for_elsif() || at_misspelt_elsif() ||
-            at_else_for_elsif()) {
+            at_else_for_elsif() || at_missing_elsif()) {
             clauses.add(parse_elsif_clause());
         } else if (at(TokenKind::kw_else) || at_misspelt_else()) {
             node->else_list = parse_else_list();
@@ -721,6 +728,7 @@ TokenKind Parser::missing_opener() {
 // "ELSIF" expression "THEN" statement_list
 const ast::ElsifClause* Parser::parse_elsif_clause() {
     auto* clause = make<ast::ElsifClause>();
+    bool given = true;
     if (at(TokenKind::kw_else) && peek() != TokenKind::kw_if) {
         report_unexpected("`ELSIF`").replace(token().range(), "ELSIF");
     } else if (at(TokenKind::kw_else)) {
@@ -728,12 +736,17 @@ const ast::ElsifClause* Parser::parse_elsif_clause() {
         report(DiagnosticId::else_if, both).replace(both, "ELSIF");
         --unclosed(TokenKind::kw_end_if);
         advance();
+    } else if (at_missing_elsif() && !at_misspelt_elsif()) {
+        const std::uint32_t offset = token().offset();
+        report(DiagnosticId::missing_token, {offset, offset}, {"`ELSIF`"}).insert(offset, "ELSIF ");
+        given = false;
     } else if (at(TokenKind::identifier)) {
         const std::string meant(spelling(TokenKind::kw_elsif));
         report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
             .replace(token().range(), meant);
     }
-    advance();
+    if (given)
+        advance();
     clause->condition = parse_condition();
     expect_word(TokenKind::kw_then);
     clause->statements = parse_statement_list("after THEN");
@@ -1029,6 +1042,8 @@ bool Parser::loop_head_of_other_language() const noexcept {
         i = next(i);
     if (tokens_[i].kind() != TokenKind::semicolon || tokens_[i].first_on_line() || parentheses)
         return tokens_[i].kind() == TokenKind::semicolon && !tokens_[i].first_on_line();
+    if (is_semicolon_for_to(i))
+        return false;
     while (i < count_ && !tokens_[i].first_on_line() && !part_words.contains(tokens_[i].kind()) &&
            !statement_words.contains(tokens_[i].kind()))
         i = next(i);
@@ -1209,10 +1224,18 @@ void Parser::expect_word(TokenKind word) {
         advance();
 }
 
+/// `FOR i := 1; 3 DO`
+bool Parser::is_semicolon_for_to(std::uint32_t index) const noexcept {
+    static constexpr TokenSet ends{TokenKind::kw_do, TokenKind::kw_by};
+    const std::uint32_t operand = next(index);
+    return tokens_[index].kind() == TokenKind::semicolon && begins_operand_on_line(operand) &&
+           ends.contains(tokens_[next(operand)].kind());
+}
+
 /// `IF a : x := 1;` and `FOR i := 1 .. 3 DO`.
 bool Parser::at_word_of_other_language(TokenKind word) const noexcept {
     if (word == TokenKind::kw_to)
-        return at(TokenKind::dot_dot) || at(TokenKind::comma);
+        return at(TokenKind::dot_dot) || at(TokenKind::comma) || is_semicolon_for_to(at_);
     return at(TokenKind::colon);
 }
 

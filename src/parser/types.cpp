@@ -4,6 +4,8 @@
 #include <iecfront/lexer/literals.hpp>
 #include <iecfront/lexer/name.hpp>
 
+#include <algorithm>
+
 namespace iecfront {
 namespace {
 
@@ -332,6 +334,20 @@ bool Parser::at_bounds_as_real() const noexcept {
 
 /// `..`, or what is written instead of it by mistake.
 bool Parser::accept_between_bounds() {
+    if (at(TokenKind::comma) && peek() == TokenKind::comma && adjoins_next()) { // `1,,3`
+        const TextRange commas = token_range(at_, next(at_) + 1);
+        report(DiagnosticId::unexpected_token, commas, {"`..`", "`,,`"}).replace(commas, "..");
+        advance();
+        advance();
+        return true;
+    }
+    static constexpr TokenSet look_alikes{TokenKind::colon, TokenKind::kw_to};
+    static constexpr TokenSet begin_bound{TokenKind::integer, TokenKind::identifier,
+                                          TokenKind::minus};
+    if (at(look_alikes) && begin_bound.contains(peek())) {
+        accept_as(TokenKind::dot_dot);
+        return true;
+    }
     if (at(TokenKind::minus) && peek() == TokenKind::integer) {
         report_unexpected("`..`").replace(token().range(), "..");
         advance();
@@ -525,6 +541,15 @@ const ast::TypeSpecification* Parser::parse_too_deep_type() {
     return finish(error);
 }
 
+/// Behind STRUCT: passes over the structure with its closing word.
+void Parser::skip_structure() {
+    for (std::uint32_t depth = 1; depth > 0 && !at(unit_ends) && !at(TokenKind::kw_end_var);
+         advance()) {
+        depth += at(TokenKind::kw_struct) ? 1 : 0;
+        depth -= at(TokenKind::kw_end_struct) ? 1 : 0;
+    }
+}
+
 // structure_declaration = "STRUCT" structure_element_declaration ";"
 //                         { structure_element_declaration ";" } "END_STRUCT" ;
 const ast::TypeSpecification* Parser::parse_structure_declaration() {
@@ -541,15 +566,6 @@ void Parser::parse_structure_elements(ast::StructureDeclaration& structure, std:
     open_block(TokenKind::kw_end_struct, opener);
     ListBuilder<ast::Node> elements(*this);
     while (!at_end_of_declarations())
-/// Behind STRUCT: passes over the structure with its closing word.
-void Parser::skip_structure() {
-    for (std::uint32_t depth = 1; depth > 0 && !at(unit_ends) && !at(TokenKind::kw_end_var);
-         advance()) {
-        depth += at(TokenKind::kw_struct) ? 1 : 0;
-        depth -= at(TokenKind::kw_end_struct) ? 1 : 0;
-    }
-}
-
         add_in_loop(elements, [this] { return parse_structure_element_declaration(); });
     if (elements.empty())
         report_empty_block(opener);
@@ -612,6 +628,8 @@ const ast::Expression* Parser::parse_initial_value() {
     }
     static constexpr TokenSet after_value{TokenKind::semicolon, TokenKind::comma,
                                           TokenKind::right_parenthesis, TokenKind::right_bracket};
+    if (at(after_value) && report_braces())
+        return make_missing<ast::ErrorExpression>();
     const bool name = at(TokenKind::identifier) || at_operand_keyword();
     if (at(TokenKind::enumerated_value) || (name && after_value.contains(peek()))) {
         if (is_keyword(kind()))
@@ -630,6 +648,26 @@ const ast::Expression* Parser::parse_initial_value() {
     if (!is_faulty(*value, reports))
         report_not_plain(*value, "an initial value");
     return value;
+}
+
+/// `{1, 2, 3}` of other languages for an initial value: here it is a pragma.
+bool Parser::report_braces() {
+    const auto pragma = std::ranges::lower_bound(
+        lexical_, previous_end(), {}, [](const Diagnostic& one) { return one.range.begin; });
+    if (pragma == lexical_.end() || pragma->id != DiagnosticId::pragma ||
+        pragma->range.begin > token().offset())
+        return false;
+    const TextRange open{pragma->range.begin, pragma->range.begin + 1};
+    const TextRange close{pragma->range.end - 1, pragma->range.end};
+    const std::string_view values = text_.substr(open.end, close.begin - open.end);
+    const bool structure = values.find(":=") != values.npos;
+    const Report braces =
+        report(DiagnosticId::unexpected_token, open, {structure ? "`(`" : "`[`", "`{`"});
+    if (values.find('{') == values.npos) // else it ends too early
+        diagnostics_[braces.index()].fixes.push_back(
+            {{{open, structure ? "(" : "["}, {close, structure ? ")" : "]"}}});
+    reported_at_ = at_;
+    return true;
 }
 
 /// `:=` or `,` when one stands directly inside the parentheses that begin here.

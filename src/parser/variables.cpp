@@ -327,9 +327,25 @@ const ast::Node* Parser::parse_declaration(const ast::VariableDeclarations& bloc
     if (is_elementary_type_name(kind()) && peek() == TokenKind::identifier &&
         !tokens_[next(at_)].first_on_line())
         return parse_type_before_names();
+    accept_qualifier_of_declaration(block);
     if (!at(TokenKind::identifier) && !at(TokenKind::kw_at) && !at_declaration_start())
         return parse_error_declaration("the declaration of a variable");
     return parse_variable_declaration(block, place);
+}
+
+/// `CONSTANT x : INT := 3;`: it is the block that has a qualifier.
+void Parser::accept_qualifier_of_declaration(const ast::VariableDeclarations& block) {
+    static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
+    const bool declaration = peek() == TokenKind::identifier &&
+                             !tokens_[next(at_)].first_on_line() &&
+                             after_name.contains(peek_second());
+    if (!declaration || !(at(qualifiers) || at_word("CONST")))
+        return;
+    const std::string qualifier = at_word("CONST") ? "CONSTANT" : std::string(text(at_));
+    report_at(at_, DiagnosticId::unexpected_token,
+              {"`" + std::string(text(block.first_token)) + " " + qualifier + "` for the block",
+               quoted(at_)});
+    advance();
 }
 
 /// var_init_decl, located_var_decl, external_declaration, global_var_decl, temp_var_decl,
