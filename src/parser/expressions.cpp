@@ -624,7 +624,8 @@ bool Parser::accept_missing_comma(bool named) {
     return true;
 }
 
-/// True when a `)` ends what begins at token `i` before a `;` does.
+/// True when a `)` ends what begins at token `i` before a `;` does; a list too long to be looked
+/// through is taken for closed.
 bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
     constexpr std::uint32_t furthest = 1000; // bounds the time that a list full of mistakes takes
     std::uint32_t depth = 0;
@@ -640,7 +641,7 @@ bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
         default: break;
         }
     }
-    return false;
+    return true;
 }
 
 // param_assignment = ( variable_name | "EN" | "ENO" ) ":=" expression

@@ -83,6 +83,13 @@ TEST(Parse, ReadsAChainOfAMillionOperands) {
     EXPECT_TRUE(tree == parse(tree.source()));
 }
 
+// 3.3.2.2: nor is the number of arguments, a line each.
+TEST(Parse, ReadsALongListOfArguments) {
+    const SyntaxTree tree =
+        parse(SourceText(program("f(\n" + repeated("a := 1,\n", 1'000) + "a := 1);")));
+    EXPECT_TRUE(tree.diagnostics().empty());
+}
+
 TEST(Parse, ReportsParenthesesThatNestTooDeep) {
     const auto nested = [](std::size_t depth) {
         return SourceText(
