@@ -37,7 +37,8 @@ std::string help(const Command& command) {
                                      : std::string(option.name) + " " + std::string(option.value),
                 option.help);
     out += row("--help", "print this");
-    out += row("--", "take what follows for names, even if it begins with `-` or `@`");
+    if (!command.operands.empty())
+        out += row("--", "take what follows for names, even if it begins with `-` or `@`");
     return out;
 }
 
