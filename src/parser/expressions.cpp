@@ -275,9 +275,12 @@ const ast::Expression* Parser::parse_unary() {
                : plus ? ast::UnaryOperator::plus
                       : ast::UnaryOperator::logical_not;
     const std::uint32_t sign = advance();
+    if (plus && at(TokenKind::plus) && !at_signed_number() &&
+        tokens_[sign].end() == token().offset())
+        advance(); // `++x` is one mistake
     const bool call = at(operator_functions) && peek() == TokenKind::left_parenthesis;
     if (plus && (at_expression_start() || call))
-        report_at(sign, DiagnosticId::unary_plus).remove(tokens_[sign].range());
+        report_at(sign, DiagnosticId::unary_plus).remove(token_range(sign, end_));
     const bool repeated = (at(TokenKind::minus) || at(TokenKind::plus) || at(TokenKind::kw_not)) &&
                           !at_signed_number();
     if (repeated && !plus)

@@ -588,6 +588,8 @@ private:
     const ast::Statement* as_word_statement(const ast::Expression& name);
     [[nodiscard]] bool at_compound_assignment() const noexcept;
     const ast::Statement* parse_compound_assignment(const ast::Expression* variable);
+    [[nodiscard]] bool at_prefix_increment() const noexcept;
+    const ast::Statement* parse_prefix_increment();
     const ast::Statement* parse_assignment(const ast::Expression* variable);
     const ast::Statement* finish_expression_statement(const ast::Expression* expression,
                                                       std::size_t reports);

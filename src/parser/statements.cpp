@@ -361,6 +361,8 @@ const ast::Statement* Parser::parse_statement() {
         return parse_label_after_else();
     if (unclosed(TokenKind::kw_end_case) < 0 && token().first_on_line() && at_case_label())
         return parse_case_without_head();
+    if (at_prefix_increment())
+        return parse_prefix_increment();
     static constexpr TokenSet operator_functions{TokenKind::kw_and, TokenKind::kw_or,
                                                  TokenKind::kw_xor, TokenKind::kw_mod};
     const bool name = at_operand_keyword() || name_of_keyword ||
@@ -540,6 +542,29 @@ const ast::Statement* Parser::parse_compound_assignment(const ast::Expression* v
     node->expression = with_operand ? parse_expression() : make_missing<ast::ErrorExpression>();
     if (node->expression->kind != ast::NodeKind::binary_expression)
         compound.replace(range, range.begin == name.end ? " " + meant : meant);
+    return finish(node);
+}
+
+/// `++x` or `--x` as a statement.
+bool Parser::at_prefix_increment() const noexcept {
+    return (at(TokenKind::plus) || at(TokenKind::minus)) && adjoins_next() && peek() == kind() &&
+           peek_second() == TokenKind::identifier;
+}
+
+/// `++x`, which is written `x := x + 1`.
+const ast::Statement* Parser::parse_prefix_increment() {
+    auto* node = make<ast::AssignmentStatement>();
+    const std::string sign(text(at_));
+    const TextRange range = token_range(at_, next(at_) + 1);
+    advance();
+    advance();
+    node->variable = parse_variable();
+    const TextRange name = token_range(node->variable->first_token, node->variable->end_token);
+    const std::string variable(text_.substr(name.begin, name.size()));
+    const std::string meant = variable + " := " + variable + " " + sign + " 1";
+    report(DiagnosticId::foreign_operator, range, {sign + sign, meant})
+        .replace({range.begin, name.end}, meant);
+    node->expression = make_missing<ast::ErrorExpression>();
     return finish(node);
 }
 
