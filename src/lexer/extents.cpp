@@ -1,5 +1,7 @@
 #include "lexer/extents.hpp"
 
+#include <iecfront/lexer/name.hpp>
+
 #include <algorithm>
 #include <array>
 
@@ -64,6 +66,47 @@ const char* Extents::blanks_end(const char* p) noexcept {
     return p;
 }
 
+namespace {
+
+// Null when no comment or pragma begins here, or when there is something wrong with it.
+[[nodiscard]] const char* remark_end(const char* p) noexcept {
+    const bool pragma = *p == '{';
+    if (!pragma && (*p != '(' || p[1] != '*'))
+        return nullptr;
+    for (p += pragma ? 1 : 2; *p != '\0' && class_of(*p) != CharacterClass::line_end; ++p) {
+        if (pragma ? *p == '}' : *p == '*' && p[1] == ')')
+            return p + (pragma ? 1 : 2);
+        if (!pragma && *p == '(' && p[1] == '*')
+            return nullptr;
+    }
+    return nullptr;
+}
+
+// `5m` in `T#1h-5m`: nothing else of the language looks so.
+[[nodiscard]] bool begins_with_part_of_duration(const char* p) noexcept {
+    const auto is_one_of = [](char c, std::string_view letters) {
+        return letters.find(fold(c)) != std::string_view::npos;
+    };
+    if (!is_digit(*p))
+        return false;
+    p = Extents::digits_end(p);
+    if (*p == '.' && is_digit(p[1]))
+        p = Extents::digits_end(p + 1);
+    const bool milliseconds = is_one_of(*p, "M") && is_one_of(p[1], "S");
+    return is_one_of(*p, "DHMS") && (milliseconds || !is_word_start(p[1]) || p[1] == '_');
+}
+
+} // namespace
+
+const char* Extents::gap_end(const char* p) noexcept {
+    for (p = blanks_end(p);;) {
+        const char* const end = remark_end(p);
+        if (end == nullptr)
+            return p;
+        p = blanks_end(end);
+    }
+}
+
 const char* Extents::exponent_end(const char* p) noexcept {
     if (!is_exponent_letter(*p))
         return nullptr;
@@ -108,8 +151,12 @@ const char* Extents::number_end(const char* p) const noexcept {
             return p + 1; // `REAL#1.`
     }
     p = word_end(p);
-    while (*p == '#' || (*p == '.' && p != digits && is_digit(p[1])))
+    bool based = false; // `16#F.F` is a number with a fault
+    while (*p == '#' ||
+           (*p == '.' && p != digits && (based ? is_word_part(p[1]) : is_digit(p[1])))) {
+        based = based || *p == '#';
         p = word_end(p + 1 + (*p == '#' && is_sign(p[1]) && is_word_part(p[2]) ? 1 : 0));
+    }
     return p;
 }
 
@@ -117,7 +164,8 @@ const char* Extents::duration_end(const char* p) const noexcept {
     while (is_sign(*p))
         ++p;
     p = word_end(p);
-    while (*p == '.' && is_word_part(p[1]))
+    while ((*p == '.' && is_word_part(p[1])) ||
+           (is_sign(*p) && begins_with_part_of_duration(p + 1)))
         p = word_end(p + 1);
     return p;
 }

@@ -29,6 +29,8 @@ public:
     // The digits and underscores only.
     [[nodiscard]] static const char* digits_end(const char* p) noexcept;
     [[nodiscard]] static const char* blanks_end(const char* p) noexcept;
+    // Behind blanks, and comments and pragmas that begin and end on this line.
+    [[nodiscard]] static const char* gap_end(const char* p) noexcept;
 
     // `p` is at the `E`. The end of the exponent with its digits; null when this is none.
     [[nodiscard]] static const char* exponent_end(const char* p) noexcept;

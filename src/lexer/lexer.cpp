@@ -4,6 +4,7 @@
 #include "lexer/comment_marks.hpp"
 #include "lexer/extents.hpp"
 #include "lexer/keywords.hpp"
+#include "lexer/meant_number.hpp"
 
 #include <iecfront/lexer/literals.hpp>
 #include <iecfront/lexer/name.hpp>
@@ -11,35 +12,32 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace iecfront {
 
 namespace {
 
-// Spaces and tabs that wrongly stand inside a literal: before the `#`, and behind it (2.1.4).
-struct Gaps {
-    TextRange first;
-    TextRange second;
-
-    [[nodiscard]] bool any() const noexcept { return !first.empty() || !second.empty(); }
-};
+// White space, comments and pragmas that wrongly stand inside a literal (2.1.4), each with what
+// should stand in its place: nothing, mostly.
+using Gaps = std::vector<TextEdit>;
 
 // A literal that the next characters make, its kind and its extent.
 struct Found {
     TokenKind kind;
     const char* end;
     Gaps gaps;
-    bool lacks_dash = false;    // between a date and the time behind a blank
     bool of_named_type = false; // of no elementary one
 };
 
 // So many digits fit 64 bits: nothing can be wrong with them.
 constexpr std::ptrdiff_t safe_digits = 18;
 
-// Nobody writes a longer one, and what is longer is not tried as one.
-constexpr std::ptrdiff_t longest_duration = 40;
+// Nobody writes a longer literal than this, but for strings: what is longer is not tried as one.
+constexpr std::size_t longest_tried = 40;
 
 class Lexer {
 public:
@@ -73,6 +71,9 @@ private:
     const char* digit_first_word(const char* begin, const char* end);
     const char* duration_without_prefix(const char* begin, const char* end);
     const char* c_style_integer(const char* begin, const char* end);
+    const char* hexadecimal_of_other_language(const char* begin, const char* end);
+    const char* with_pound_sign(const char* begin, const char* end);
+    const char* number_before_keyword(TokenKind kind, const char* begin, const char* end);
     [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;
     const char* string(const char* begin);
     const char* location(const char* begin);
@@ -106,8 +107,9 @@ private:
 
     const char* identifier(const char* begin, const char* end);
     const char* literal(TokenKind kind, const char* begin, const char* end);
-    void find_rest_behind_blanks(const char* body, Found& found) const;
+    const char* literal_with_gaps(TokenKind kind, const char* begin, const char* end);
     const char* spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps);
+    [[nodiscard]] static Gaps gaps_of(std::initializer_list<TextRange> ranges);
     const char* found_literal(const char* begin, const char* prefix_end, const Found& found);
     bool find_prefixed(const char* begin, const char* prefix_end, Found& found) const;
     bool find_based(const char* begin, const char* prefix_end, const char* body,
@@ -288,10 +290,16 @@ void Lexer::grow_tokens(std::size_t by) {
     tokens_end_ = result_.tokens.data() + result_.tokens.size();
 }
 
-// Removes the last token, to read it again together with what follows it.
+// Removes the last token, to read it again together with what follows it. A comment or pragma
+// behind it will be a part of it.
 Token Lexer::take_back() {
     const Token token = *--next_token_;
     first_on_line_ = token.first_on_line();
+    while (!result_.trivia.empty() && result_.trivia.back().range.begin >= token.end())
+        result_.trivia.pop_back();
+    while (!result_.diagnostics.empty() && result_.diagnostics.back().range.begin >= token.end() &&
+           result_.diagnostics.back().id == DiagnosticId::pragma)
+        result_.diagnostics.pop_back();
     return token;
 }
 
@@ -337,6 +345,8 @@ const char* Lexer::long_word(const char* begin) {
     const char* const end = extents_.word_end(begin);
     if (*end == '#')
         return prefixed(begin, end);
+    if (const char* const literal_end = with_pound_sign(begin, end))
+        return literal_end;
     return plain_word(begin, end);
 }
 
@@ -494,7 +504,7 @@ bool Lexer::can_begin_value(TokenKind kind, std::string_view prefix, const char*
 
 // `type#value` with a type that has a name of its own.
 bool Lexer::find_of_named_type(std::string_view prefix, const char* body, Found& found) const {
-    const bool spaced = found.gaps.any();
+    const bool spaced = !found.gaps.empty();
     if (is_word_start(*body) || (!is_ascii(*body) && extents_.foreign_letter_size(body) != 0)) {
         found.end = extents_.word_end(body);
         return !spaced || keyword_kind(view(body, found.end)) == TokenKind::identifier;
@@ -512,7 +522,7 @@ bool Lexer::find_based(const char* begin, const char* prefix_end, const char* bo
                        Found& found) const {
     found.kind = TokenKind::based_integer;
     found.end = extents_.literal_end(found.kind, body);
-    if (!found.gaps.any())
+    if (found.gaps.empty())
         return true;
     if (view(begin, prefix_end) != "16")
         return is_digit(*body);
@@ -524,51 +534,30 @@ bool Lexer::find_based(const char* begin, const char* prefix_end, const char* bo
 // Looks for a literal with the prefix from `begin` to `prefix_end`, which a `#` follows, perhaps
 // behind blanks. False when there is none.
 bool Lexer::find_prefixed(const char* begin, const char* prefix_end, Found& found) const {
-    const char* const sign = Extents::blanks_end(prefix_end);
-    const char* const body = Extents::blanks_end(sign + 1);
-    found.gaps = {range(prefix_end, sign), range(sign + 1, body)};
+    const char* const sign = Extents::gap_end(prefix_end);
+    const char* const body = Extents::gap_end(sign + 1);
+    if (body != prefix_end + 1)
+        found.gaps = gaps_of({range(prefix_end, sign), range(sign + 1, body)});
     if (is_digit(*begin) && find_based(begin, prefix_end, body, found))
         return true;
     const std::string_view prefix = view(begin, prefix_end);
     found.kind = is_digit(*begin) ? TokenKind::based_integer : kind_of_prefix(prefix);
     if (found.kind == TokenKind::enumerated_value) {
-        if (find_of_named_type(prefix, body, found))
-            return true;
-        found.gaps.second = {};
-        return false;
+        return find_of_named_type(prefix, body, found);
     }
-    if (found.gaps.any() && found.kind != TokenKind::based_integer &&
+    if (!found.gaps.empty() && found.kind != TokenKind::based_integer &&
         can_begin_value(found.kind, prefix, body)) {
         found.end = extents_.literal_end(found.kind, body);
         return true;
     }
     // Without white space that can be overlooked, whatever follows the `#` directly is the value.
-    found.gaps.second = {};
-    if (!found.gaps.first.empty())
+    found.gaps.clear();
+    if (sign != prefix_end)
         return false;
     if (is_string(found.kind) && !is_quote(sign[1]))
         found.kind = TokenKind::typed_literal;
     found.end = extents_.literal_end(found.kind, sign + 1);
-    find_rest_behind_blanks(sign + 1, found);
     return true;
-}
-
-// `T#- 5s` and `DT#1984-06-25 15:36:55`: what is behind the sign or the date belongs to it.
-void Lexer::find_rest_behind_blanks(const char* body, Found& found) const {
-    const char* const rest = Extents::blanks_end(found.end);
-    if (rest == found.end || !is_digit(*rest))
-        return;
-    const bool sign = is_sign(*body) && found.end == body + 1 &&
-                      (found.kind == TokenKind::duration || found.kind == TokenKind::typed_literal);
-    const std::string_view given = view(body, found.end);
-    found.lacks_dash = found.kind == TokenKind::date_and_time &&
-                       std::ranges::count(given, '-') == 2 && *Extents::digits_end(rest) == ':' &&
-                       is_digit(Extents::digits_end(rest)[1]);
-    if (!sign && !found.lacks_dash)
-        return;
-    found.gaps.first = range(found.end, rest);
-    found.end = sign ? extents_.literal_end(found.kind, rest)
-                     : extents_.literal_end(TokenKind::time_of_day, rest);
 }
 
 const char* Lexer::prefixed(const char* begin, const char* prefix_end) {
@@ -579,12 +568,8 @@ const char* Lexer::prefixed(const char* begin, const char* prefix_end) {
 }
 
 const char* Lexer::found_literal(const char* begin, const char* prefix_end, const Found& found) {
-    if (found.gaps.any()) {
-        const char* const end = spaced_literal(found.kind, begin, found.end, found.gaps);
-        if (found.lacks_dash)
-            result_.diagnostics.back().fixes.front().edits.front().replacement = "-";
-        return end;
-    }
+    if (!found.gaps.empty())
+        return spaced_literal(found.kind, begin, found.end, found.gaps);
     if (found.kind == TokenKind::enumerated_value) {
         const bool first_well_formed = check_word(begin, prefix_end);
         const bool well_formed = check_word(prefix_end + 1, found.end) && first_well_formed;
@@ -600,19 +585,70 @@ const char* Lexer::found_literal(const char* begin, const char* prefix_end, cons
 }
 
 const char* Lexer::spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps) {
-    const bool two = !gaps.first.empty() && !gaps.second.empty();
-    const TextRange first = gaps.first.empty() ? gaps.second : gaps.first;
-    Diagnostic& diagnostic = report(DiagnosticId::white_space_in_literal, first);
+    const TextRange first = gaps.front().range;
+    const std::string_view gap = text_.substr(first.begin, first.size());
+    const std::size_t opening = gap.find_first_of("({");
+    const bool remark = opening != std::string_view::npos;
+    Diagnostic& diagnostic = report(
+        remark ? DiagnosticId::comment_in_literal : DiagnosticId::white_space_in_literal, first);
+    if (remark) {
+        const auto size = static_cast<std::uint32_t>(gap.find_last_not_of(" \t") + 1);
+        diagnostic.range = {first.begin + static_cast<std::uint32_t>(opening), first.begin + size};
+        diagnostic.arguments.emplace_back(gap[opening] == '{' ? "pragma" : "comment");
+    }
     const bool location =
         kind == TokenKind::direct_variable || kind == TokenKind::incomplete_location;
     diagnostic.arguments.emplace_back(location ? "a directly represented variable"
                                       : kind == TokenKind::enumerated_value ? "an enumerated value"
                                                                             : "a literal");
-    add_replacement(diagnostic, first);
-    if (two)
-        diagnostic.fixes.front().edits.push_back({gaps.second, {}});
+    diagnostic.fixes.push_back({std::move(gaps)});
     emit_any(kind, begin, end, true);
     return end;
+}
+
+Gaps Lexer::gaps_of(std::initializer_list<TextRange> ranges) {
+    Gaps gaps;
+    for (const TextRange gap : ranges)
+        if (!gap.empty())
+            gaps.push_back({gap, {}});
+    return gaps;
+}
+
+// `T#5 s`, `D#1984 - 06 - 25`, `DT#1984-06-25 15:36:55`: the longest text from `begin` on that is a
+// literal without a fault once its gaps are closed. Null when there is none behind `end`.
+const char* Lexer::literal_with_gaps(TokenKind kind, const char* begin, const char* end) {
+    if (is_string(kind))
+        return nullptr;
+    std::string whole(begin, end);
+    Gaps gaps;
+    std::size_t gaps_inside = 0;
+    const char* found = nullptr;
+    for (const char* p = end; whole.size() < longest_tried;) {
+        const char* const piece = Extents::gap_end(p);
+        const bool separator = is_sign(*piece) || *piece == '.' || *piece == ':';
+        const char* const piece_end = extents_.word_end(piece + (separator ? 1 : 0));
+        if (piece_end == piece)
+            break;
+        if (piece != p) {
+            const bool time = kind == TokenKind::date_and_time && is_digit(*piece) &&
+                              std::ranges::count(whole, '-') == 2;
+            gaps.push_back({range(p, piece), time ? "-" : ""});
+            whole += gaps.back().replacement;
+        }
+        whole.append(piece, piece_end);
+        p = piece_end;
+        if (check_literal(kind, whole, encoding_).empty()) {
+            found = p;
+            gaps_inside = gaps.size();
+        }
+    }
+    if (found == nullptr || gaps_inside == 0)
+        return nullptr;
+    // Another literal begins in `1. 2.5` and `1. 16#F`, and a statement in `T#5 s := 1`.
+    if (*found == '#' || (*found == '.' && is_digit(found[1])) || *Extents::gap_end(found) == ':')
+        return nullptr;
+    gaps.resize(gaps_inside);
+    return spaced_literal(kind, begin, found, std::move(gaps));
 }
 
 const char* Lexer::literal(TokenKind kind, const char* begin, const char* end) {
@@ -620,12 +656,19 @@ const char* Lexer::literal(TokenKind kind, const char* begin, const char* end) {
         emit_pieces(begin, end);
         return end;
     }
-    bool malformed = false;
-    for (Diagnostic& fault : check_literal(kind, view(begin, end), encoding_)) {
+    std::vector<Diagnostic> faults = check_literal(kind, view(begin, end), encoding_);
+    const bool malformed = std::ranges::any_of(faults, [](const Diagnostic& fault) {
         const DiagnosticClass category = diagnostic_info(fault.id).category;
-        malformed |= category == DiagnosticClass::violation || category == DiagnosticClass::error;
-        result_.diagnostics.push_back(shifted(std::move(fault), offset(begin)));
+        return category == DiagnosticClass::violation || category == DiagnosticClass::error;
+    });
+    if (!faults.empty()) { // of a part, perhaps, or of more than the literal
+        if (const char* const whole_end = literal_with_gaps(kind, begin, end))
+            return whole_end;
+        if (const char* const number_end = number_before_keyword(kind, begin, end))
+            return number_end;
     }
+    for (Diagnostic& fault : faults)
+        result_.diagnostics.push_back(shifted(std::move(fault), offset(begin)));
     emit(kind, begin, end, malformed);
     return end;
 }
@@ -636,7 +679,7 @@ const char* Lexer::number_sign(const char* begin) {
         const Token prefix = last_token();
         const char* const prefix_end = begin_ + prefix.end();
         Found found{};
-        if (prefix_end != begin && Extents::blanks_end(prefix_end) == begin &&
+        if (prefix_end != begin && Extents::gap_end(prefix_end) == begin &&
             find_prefixed(begin_ + prefix.offset(), prefix_end, found)) {
             take_back();
             return found_literal(begin_ + prefix.offset(), prefix_end, found);
@@ -714,9 +757,9 @@ const char* Lexer::number_with_point(const char* begin, const char* point) {
     if (Extents::point_begins_fraction(point))
         end = extents_.real_end(point);
     // `1. 5`, `1.0 E3` and `1.0E 3`: the rest of the number behind blanks.
-    const char* const rest = Extents::blanks_end(end);
+    const char* const rest = Extents::gap_end(end);
     if (rest != end) {
-        const Gaps gaps{range(end, rest), {}};
+        const Gaps gaps = gaps_of({range(end, rest)});
         if (end == point + 1 && is_fraction(rest))
             return spaced_literal(TokenKind::real, begin, extents_.real_end(rest - 1), gaps);
         if (const char* const exponent = Extents::exponent_end(rest);
@@ -749,7 +792,8 @@ const char* Lexer::number_with_exponent(const char* begin, const char* letter) {
 // `5s`, `1h_30m`, `1.5s`: a duration but for its prefix. What a colon follows is declared or
 // assigned to, and so meant as a name.
 bool Lexer::lacks_duration_prefix(const char* begin, const char* end) const {
-    if (end - begin > longest_duration || is_digit(end[-1]) || *Extents::blanks_end(end) == ':')
+    if (view(begin, end).size() > longest_tried || is_digit(end[-1]) ||
+        *Extents::blanks_end(end) == ':')
         return false;
     const std::string with_prefix = "T#" + std::string(begin, end);
     return check_literal(TokenKind::duration, with_prefix, encoding_).empty();
@@ -758,13 +802,13 @@ bool Lexer::lacks_duration_prefix(const char* begin, const char* end) const {
 const char* Lexer::duration_without_prefix(const char* begin, const char* end) {
     if (has_tokens() && last_token().kind() == TokenKind::duration) {
         const char* const before_end = begin_ + last_token().end();
-        if (before_end != begin && Extents::blanks_end(before_end) == begin) // `T#1m 5s`
+        if (before_end != begin && Extents::gap_end(before_end) == begin) // `T#1m 5s`
             return spaced_literal(TokenKind::duration, begin_ + take_back().offset(), end,
-                                  {range(before_end, begin), {}});
+                                  gaps_of({range(before_end, begin)}));
     }
     Diagnostic& diagnostic = report(DiagnosticId::duration_without_prefix, range(begin, end));
     add_replacement(diagnostic, range(begin, begin), "T#");
-    emit(TokenKind::duration, begin, end, true);
+    emit_any(TokenKind::duration, begin, end, true);
     return end;
 }
 
@@ -788,8 +832,66 @@ const char* Lexer::c_style_integer(const char* begin, const char* end) {
     diagnostic.arguments.emplace_back(std::string(begin, begin + 2));
     diagnostic.arguments.emplace_back(found->base);
     add_replacement(diagnostic, where, found->prefix);
-    emit(TokenKind::based_integer, begin, end, true);
+    emit_any(TokenKind::based_integer, begin, end, true);
     return end;
+}
+
+// `0FFh` and `16FF`, which are to be 16#FF. Null when it is none of these, or is declared or
+// assigned to, and so meant as a name.
+const char* Lexer::hexadecimal_of_other_language(const char* begin, const char* end) {
+    if (view(begin, end).size() > longest_tried || *Extents::gap_end(end) == ':')
+        return nullptr;
+    const std::string meant = meant_hexadecimal(view(begin, end));
+    if (meant.empty())
+        return nullptr;
+    const TextRange where = range(begin, end);
+    Diagnostic& diagnostic = report(DiagnosticId::number_of_other_language, where);
+    diagnostic.arguments.emplace_back(std::uint64_t{16});
+    diagnostic.arguments.emplace_back(meant);
+    add_replacement(diagnostic, where, meant);
+    emit_any(TokenKind::based_integer, begin, end, true);
+    return end;
+}
+
+// `16#FF` and `INT#5` with a pound sign for the `#`: feature 3b of Table 1, which is not supported.
+// Null when that would make no literal.
+const char* Lexer::with_pound_sign(const char* begin, const char* end) {
+    constexpr char32_t pound_sign = 0x00A3;
+    const char* const sign = std::find_if_not(begin, end, is_ascii);
+    if (sign == end || view(begin, end).size() > longest_tried)
+        return nullptr;
+    const DecodedCharacter character = extents_.decode(sign);
+    const TokenKind kind =
+        is_digit(*begin) ? TokenKind::based_integer : kind_of_prefix(view(begin, sign));
+    if (!character.valid || character.code_point != pound_sign ||
+        kind == TokenKind::enumerated_value)
+        return nullptr;
+    const char* const body = sign + character.size;
+    const std::string meant = std::string(begin, sign) + '#' + std::string(body, end);
+    if (!check_literal(kind, meant, encoding_).empty())
+        return nullptr;
+    Diagnostic& diagnostic = report(DiagnosticId::unexpected_character, range(sign, body));
+    diagnostic.arguments.emplace_back(pound_sign);
+    add_replacement(diagnostic, range(sign, body), "#");
+    emit_any(kind, begin, end, true);
+    return end;
+}
+
+// `3MOD 2` and `FOR i := 1TO 3 DO`: a number without a fault, and a keyword that adjoins it. Null
+// when these are not what the text is made of.
+const char* Lexer::number_before_keyword(TokenKind kind, const char* begin, const char* end) {
+    const std::size_t size = size_before_keyword(view(begin, end));
+    const char* const number_end = begin + size;
+    if (size == 0 || !is_word_part(number_end[-1]) ||
+        !check_literal(kind, view(begin, number_end), encoding_).empty())
+        return nullptr;
+    Diagnostic& diagnostic =
+        report(DiagnosticId::missing_white_space, range(number_end, number_end));
+    diagnostic.arguments.emplace_back(std::string(begin, number_end));
+    diagnostic.arguments.emplace_back(std::string(number_end, end));
+    add_replacement(diagnostic, range(number_end, number_end), " ");
+    emit_any(kind, begin, number_end);
+    return number_end;
 }
 
 // `2nd_pump`: meant as a name, unless it is a value that lacks its prefix.
@@ -800,6 +902,12 @@ const char* Lexer::digit_first_word(const char* begin, const char* end) {
         return duration_without_prefix(begin, end);
     if (const char* const value_end = c_style_integer(begin, end))
         return value_end;
+    if (const char* const value_end = hexadecimal_of_other_language(begin, end))
+        return value_end;
+    if (const char* const value_end = with_pound_sign(begin, end))
+        return value_end;
+    if (const char* const number_end = number_before_keyword(TokenKind::integer, begin, end))
+        return number_end;
     if (check_foreign_letters(begin, end)) {
         const char* const digits = std::find_if_not(begin, end, is_digit);
         report(DiagnosticId::identifier_begins_with_digit, range(begin, digits));
@@ -933,8 +1041,8 @@ const char* Lexer::location(const char* begin) {
     if (const char* const behind = operator_of_other_language(begin))
         return behind;
     const char* const end = extents_.location_end(begin + 1);
-    const char* const rest = Extents::blanks_end(end);
-    const Gaps gaps{range(end, rest), {}};
+    const char* const rest = Extents::gap_end(end);
+    const TextRange gap = range(end, rest);
     const std::string_view letters = view(begin + 1, end);
     const TokenKind kind = letters.find('*') != std::string_view::npos
                                ? TokenKind::incomplete_location
@@ -944,12 +1052,12 @@ const char* Lexer::location(const char* begin) {
     if (letters.empty() && is_location(rest)) {
         const char* const rest_end = extents_.location_end(rest);
         return spaced_literal(rest_end[-1] == '*' ? TokenKind::incomplete_location : kind, begin,
-                              rest_end, gaps);
+                              rest_end, gaps_of({gap}));
     }
     // `%IX 1.0`: only behind what is a complete prefix, for digits to follow.
     if (!letters.empty() && letters.size() <= 2 && is_digit(*rest) &&
         std::ranges::all_of(letters, is_word_start))
-        return spaced_literal(kind, begin, extents_.address_end(rest), gaps);
+        return spaced_literal(kind, begin, extents_.address_end(rest), gaps_of({gap}));
     return literal(kind, begin, end);
 }
 
@@ -981,12 +1089,12 @@ const char* Lexer::dot(const char* begin) {
 
     const Token before = last_token();
     const char* const before_end = begin_ + before.end();
-    const bool spaced = before_end != begin && Extents::blanks_end(before_end) == begin;
+    const bool spaced = before_end != begin && Extents::gap_end(before_end) == begin;
     if (before.kind() != TokenKind::integer || before.malformed() || !spaced)
         return delimiter(TokenKind::dot, begin, 1);
     take_back(); // `1 .5`
     return spaced_literal(TokenKind::real, begin_ + before.offset(), extents_.real_end(begin),
-                          {range(before_end, begin), {}});
+                          gaps_of({range(before_end, begin)}));
 }
 
 const char* Lexer::slash(const char* begin) {
@@ -1366,6 +1474,10 @@ const char* Lexer::operator_of_other_language(const char* begin) {
 const char* Lexer::unexpected(const char* begin) {
     if (const char* const end = operator_of_other_language(begin))
         return end;
+    if (*begin == '$')
+        if (const char* const end =
+                hexadecimal_of_other_language(begin, extents_.word_end(begin + 1)))
+            return end;
     const DecodedCharacter first = extents_.decode(begin);
     if (const char* const end = typographic_string(begin, first))
         return end;

@@ -50,11 +50,11 @@ bool exponent_begins(std::string_view rest) noexcept {
     return begins_with_digit_after_underscores(rest.substr(1));
 }
 
-bool holds_white_space(std::string_view text) noexcept {
+bool holds_gap(std::string_view text) noexcept {
     for (const char c : text) {
         if (c == '\'' || c == '"')
             return false;
-        if (is_white_space(c))
+        if (is_white_space(c) || begins_remark(c))
             return true;
     }
     return false;

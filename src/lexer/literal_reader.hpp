@@ -37,9 +37,13 @@ namespace iecfront::literals {
 [[nodiscard]] constexpr bool is_white_space(char c) noexcept {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
-// True when white space stands outside quotes: no literal can hold it, and the lexer has said so
-// (2.1.4).
-[[nodiscard]] bool holds_white_space(std::string_view text) noexcept;
+// `(` of a comment or `{` of a pragma: neither stands in a literal otherwise.
+[[nodiscard]] constexpr bool begins_remark(char c) noexcept {
+    return c == '(' || c == '{';
+}
+// True when white space, a comment or a pragma stands outside quotes: no literal can hold it, and
+// the lexer has said so (2.1.4).
+[[nodiscard]] bool holds_gap(std::string_view text) noexcept;
 
 // The digits as one number; `_` and whatever is no digit of the base is passed over.
 struct Magnitude {

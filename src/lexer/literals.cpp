@@ -70,6 +70,16 @@ std::string_view without_blanks_around(std::string_view text) noexcept {
     return text;
 }
 
+// Names around a `#` may have white space, comments and pragmas between them and it, by mistake.
+std::string_view first_word(std::string_view text) noexcept {
+    return without_blanks_around(text.substr(0, text.find_first_of("({")));
+}
+
+std::string_view last_word(std::string_view text) noexcept {
+    const std::size_t behind = text.find_last_of("#)}");
+    return without_blanks_around(text.substr(behind + 1));
+}
+
 } // namespace
 
 } // namespace iecfront::literals
@@ -90,8 +100,7 @@ EnumeratedValueName split_enumerated_value(std::string_view text) noexcept {
     const std::size_t sign = text.find('#');
     if (sign == std::string_view::npos)
         return {{}, without_blanks_around(text)};
-    return {without_blanks_around(text.substr(0, sign)),
-            without_blanks_around(text.substr(sign + 1))};
+    return {first_word(text.substr(0, sign)), last_word(text)};
 }
 
 std::vector<Diagnostic> check_literal(TokenKind kind, std::string_view text, Encoding encoding) {

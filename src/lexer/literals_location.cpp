@@ -27,7 +27,7 @@ private:
 };
 
 DirectVariableValue LocationScanner::scan() {
-    if (!reader_.accept('%') || holds_white_space(reader_.text())) {
+    if (!reader_.accept('%') || holds_gap(reader_.text())) {
         reader_.faults().reject();
         return {};
     }

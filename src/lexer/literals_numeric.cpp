@@ -105,6 +105,7 @@ private:
     void report_mismatch(Shape shape);
     void report_nothing();
     bool report_suffix();
+    bool report_fraction(std::uint8_t base);
 
     NumericValue scan_shape(Shape shape);
     NumericValue boolean() const;
@@ -210,6 +211,15 @@ bool NumberScanner::report_suffix() {
     return true;
 }
 
+// Whether a based literal goes on as if it were a decimal one: `16#1.5`.
+bool NumberScanner::report_fraction(std::uint8_t base) {
+    if (reader_.peek() != '.')
+        return false;
+    reader_.faults().report(DiagnosticId::fraction_of_based_literal, reader_.to_end(),
+                            {std::uint64_t{base}});
+    return true;
+}
+
 NumericValue NumberScanner::scan_shape(Shape shape) {
     switch (shape) {
     case Shape::integer: return decimal();
@@ -250,7 +260,7 @@ NumericValue NumberScanner::based() {
     if (digits.empty())
         reader_.faults().report(DiagnosticId::missing_digits, reader_.here(),
                                 {reader_.words(reader_.from(unsigned_number_))});
-    else
+    else if (!report_fraction(base_value))
         report_suffix();
     report_wrong_digits(digits, base_value);
     if (signed_)
@@ -463,7 +473,7 @@ void report_type_mismatch(const LiteralReader& reader, TokenKind type, std::uint
 
 NumericValue scan_number(std::string_view text, Encoding encoding, LiteralFaults& faults) {
     const TypePrefix prefix = type_prefix_of(text);
-    if (holds_white_space(text) || prefix.of_time_literal()) {
+    if (holds_gap(text) || prefix.of_time_literal()) {
         faults.reject();
         return {};
     }

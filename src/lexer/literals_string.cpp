@@ -138,7 +138,7 @@ bool StringScanner::prefix() {
     quote_ = at(open_);
     const std::string_view before = reader_.text().substr(0, open_);
     prefix_ = type_prefix_of(before);
-    if (prefix_.end != open_ || prefix_.of_time_literal() || holds_white_space(before)) {
+    if (prefix_.end != open_ || prefix_.of_time_literal() || holds_gap(before)) {
         reader_.faults().reject();
         return false;
     }

@@ -81,6 +81,7 @@ private:
     void sign();
     [[nodiscard]] bool begins_with_value() const noexcept;
     bool part();
+    void inner_sign();
     bool number();
     void report_missing_number(std::uint32_t begin);
     [[nodiscard]] std::size_t unit(TextRange letters);
@@ -105,7 +106,7 @@ private:
 };
 
 DurationValue DurationScanner::scan() {
-    if (!reader_.accept_prefix(TokenKind::kw_time) || holds_white_space(reader_.text())) {
+    if (!reader_.accept_prefix(TokenKind::kw_time) || holds_gap(reader_.text())) {
         reader_.faults().reject();
         return {};
     }
@@ -138,6 +139,7 @@ bool DurationScanner::begins_with_value() const noexcept {
 // One number with its unit. False when the rest is guesswork.
 bool DurationScanner::part() {
     const TextRange fraction_before = fraction_;
+    inner_sign();
     if (!number())
         return false;
     const TextRange letters = reader_.letters();
@@ -156,6 +158,20 @@ bool DurationScanner::part() {
     ++parts_;
     separator();
     return true;
+}
+
+// `T#1h-5m`: a difference, or one duration? Of `+` there is no doubt.
+void DurationScanner::inner_sign() {
+    if (parts_ == 0 || !is_sign(reader_.peek()))
+        return;
+    const std::uint32_t begin = reader_.at();
+    std::vector<DiagnosticFix> fixes;
+    if (reader_.accept('+'))
+        fixes.push_back(removal(reader_.from(begin)));
+    else
+        reader_.accept('-');
+    reader_.faults().report(DiagnosticId::sign_inside_duration, reader_.from(begin), {},
+                            std::move(fixes));
 }
 
 // fixed_point; false when there is none.
@@ -315,7 +331,7 @@ private:
 };
 
 bool CalendarScanner::prefix(TokenKind type, TokenKind long_type) noexcept {
-    const bool found = reader_.accept_prefix(type, long_type) && !holds_white_space(reader_.text());
+    const bool found = reader_.accept_prefix(type, long_type) && !holds_gap(reader_.text());
     if (!found)
         reader_.faults().reject();
     return found;

@@ -3,6 +3,7 @@
 #include "lexer/lexer.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace iecfront::test {
 namespace {
@@ -183,6 +184,18 @@ struct Symbol {
                      trivia.size() >= 4 && trivia.ends_with("*)");
 }
 
+[[nodiscard]] bool is_word_part(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Two words or numbers in a row need a separator, wherever the lexer begins tokens: `3MOD`.
+[[nodiscard]] bool words_are_separated(std::string_view text, const LexedText& lexed) {
+    return std::ranges::adjacent_find(lexed.tokens, [text](Token first, Token second) {
+               return first.end() == second.offset() && second.offset() < text.size() &&
+                      is_word_part(text[first.end() - 1]) && is_word_part(text[second.offset()]);
+           }) == lexed.tokens.end();
+}
+
 [[nodiscard]] std::vector<Symbol> symbols_of(std::string_view text, const LexedText& lexed) {
     std::vector<Symbol> symbols;
     for (const Token token : lexed.tokens) {
@@ -292,7 +305,7 @@ bool derives(const Grammar& grammar, const LexicalRecogniser& lexical, std::stri
         std::all_of(lexed.trivia.begin(), lexed.trivia.end(), [&](const Trivia& one) {
             return is_separator(text.substr(one.range.begin, one.range.size()));
         });
-    return well_separated &&
+    return well_separated && words_are_separated(text, lexed) &&
            TokenRecogniser(grammar, lexical, text, symbols_of(text, lexed)).derives_all();
 }
 

@@ -151,6 +151,10 @@ TEST(Lexer, WhiteSpaceInLiterals) {
         {"1.0E -3", "real!(1.0E -3)", "1310@4..5", "1.0E-3"},
         {"1. 5", "real!(1. 5)", "1310@2..3", "1.5"},
         {"1 .5", "real!(1 .5)", "1310@1..2", "1.5"},
+        {"T#5 s", "duration!(T#5 s)", "1310@3..4", "T#5s"},
+        {"T#5 h 30 m", "duration!(T#5 h 30 m)", "1310@3..4", "T#5h30m"},
+        {"D#1984 - 06-25", "date!(D#1984 - 06-25)", "1310@6..7", "D#1984-06-25"},
+        {"REAL#1. 5", "typed_literal!(REAL#1. 5)", "1310@7..8", "REAL#1.5"},
         // Further faults in such a literal are not reported as well.
         {"16# F_", "based_integer!(16# F_)", "1310@3..4", "16#F_"},
         {"T# 5s5s", "duration!(T# 5s5s)", "1310@2..3", "T#5s5s"},
@@ -162,6 +166,39 @@ TEST(Lexer, WhiteSpaceInLiterals) {
     }
 }
 
+TEST(Lexer, CommentsInLiterals) {
+    const struct {
+        std::string_view text;
+        std::string_view token;
+        std::string_view fault;
+        std::string_view fixed;
+    } rows[] = {
+        {"INT(*c*)#5", "typed_literal!(INT(*c*)#5)", "1315@3..8", "INT#5"},
+        {"INT# (* c *) 5", "typed_literal!(INT# (* c *) 5)", "1315@5..12", "INT#5"},
+        {"INT{p}#5", "typed_literal!(INT{p}#5)", "1315@3..6", "INT#5"},
+        {"INT #{p}5", "typed_literal!(INT #{p}5)", "1310@3..4", "INT#5"},
+        {"T#5(*c*)s", "duration!(T#5(*c*)s)", "1315@3..8", "T#5s"},
+        {"T#1h (*c*) 5s", "duration!(T#1h (*c*) 5s)", "1315@5..10", "T#1h5s"},
+        {"16(*c*)#FF", "based_integer!(16(*c*)#FF)", "1315@2..7", "16#FF"},
+        {"1(*c*).5", "real!(1(*c*).5)", "1315@1..6", "1.5"},
+        {"%IX(*c*)1", "direct_variable!(%IX(*c*)1)", "1315@3..8", "%IX1"},
+        {"Color(*c*)#(*d*)Red", "enumerated_value!(Color(*c*)#(*d*)Red)", "1315@5..10",
+         "Color#Red"},
+        {"DT#1984-06-25(*c*)15:36:55", "date_and_time!(DT#1984-06-25(*c*)15:36:55)", "1315@13..18",
+         "DT#1984-06-25-15:36:55"},
+    };
+    for (const auto& row : rows) {
+        EXPECT_EQ(tokens(row.text), row.token) << row.text;
+        EXPECT_EQ(trivia(row.text), "") << row.text;
+        EXPECT_EQ(faults(row.text), row.fault) << row.text;
+        EXPECT_EQ(fixed(row.text), row.fixed) << row.text;
+    }
+    // Comments with a fault of their own, and such of other languages, are no part of a literal.
+    EXPECT_EQ(trivia("INT (* (* *) #5"), "comment(4..12)");
+    EXPECT_EQ(trivia("INT# /* */ 5"), "c_comment(5..10)");
+    EXPECT_EQ(trivia("T#5s (*c*) (*d*)"), "comment(5..10) comment(11..16)");
+}
+
 TEST(Lexer, WhiteSpaceThatJoinsNothing) {
     EXPECT_EQ(tokens("a . b"), "identifier(a) dot(.) identifier(b)");
     EXPECT_EQ(tokens("x [ 1 ]"), "identifier(x) left_bracket([) integer(1) right_bracket(])");
@@ -170,7 +207,11 @@ TEST(Lexer, WhiteSpaceThatJoinsNothing) {
     EXPECT_EQ(tokens("END _IF"), "identifier(END) identifier(_IF)");
     EXPECT_EQ(tokens("INT\n#5"), "kw_int(INT) unknown!(#) integer(5)"); // on one line only
     EXPECT_EQ(tokens("INT#\n5"), "typed_literal!(INT#) integer(5)");
-    EXPECT_EQ(tokens("a (**)#b"), "identifier(a) unknown!(#) identifier(b)");
+    EXPECT_EQ(tokens("a /**/ # b"), "identifier(a) unknown!(#) identifier(b)");
+    EXPECT_EQ(tokens("T#5 x"), "duration!(T#5) identifier(x)");
+    EXPECT_EQ(tokens("T#5 s := 1"), "duration!(T#5) identifier(s) assign(:=) integer(1)");
+    EXPECT_EQ(tokens("T#5\ns"), "duration!(T#5) identifier(s)");
+    EXPECT_EQ(tokens("T#1h-5"), "duration(T#1h) minus(-) integer(5)");
     EXPECT_EQ(tokens("x = Color# THEN"), "identifier(x) equal(=) identifier(Color) unknown!(#) "
                                          "kw_then(THEN)");
     EXPECT_EQ(tokens("INT# THEN"), "typed_literal!(INT#) kw_then(THEN)");
@@ -447,6 +488,26 @@ TEST(Lexer, ValuesWithoutTheirPrefix) {
     EXPECT_EQ(tokens("0x1F"), "based_integer!(0x1F)");
     EXPECT_EQ(faults("0x1F"), "1314@0..2");
     EXPECT_EQ(faults("0x1G"), "1105@0..1");
+}
+
+TEST(Lexer, NumbersOfOtherLanguages) {
+    EXPECT_EQ(tokens("16FF, 0FFh, $FF"),
+              "based_integer!(16FF) comma(,) based_integer!(0FFh) comma(,) based_integer!($FF)");
+    EXPECT_EQ(faults("16FF, 0FFh, $FF"), "1316@0..4 1316@6..10 1316@12..15");
+    EXPECT_EQ(fixed("16FF, 0FFh, $FF"), "16#FF, 16#FF, 16#FF");
+    EXPECT_EQ(tokens("16FF := 1"), "identifier!(16FF) assign(:=) integer(1)");
+    EXPECT_EQ(tokens("16\u00A3FF + T\u00A35s"),
+              "based_integer!(16\u00A3FF) plus(+) duration!(T\u00A35s)");
+    EXPECT_EQ(faults("16\u00A3FF + T\u00A35s"), "1002@2..4 1002@10..12");
+    EXPECT_EQ(fixed("16\u00A3FF + T\u00A35s"), "16#FF + T#5s");
+}
+
+TEST(Lexer, NumbersThatRunIntoAKeyword) {
+    EXPECT_EQ(tokens("3MOD 2"), "integer(3) kw_mod(MOD) integer(2)");
+    EXPECT_EQ(tokens("1.5to 16#FFDO"), "real(1.5) kw_to(to) based_integer(16#FF) kw_do(DO)");
+    EXPECT_EQ(faults("3MOD T#5sTHEN"), "1317@1..1 1317@9..9");
+    EXPECT_EQ(fixed("3MOD T#5sTHEN"), "3 MOD T#5s THEN");
+    EXPECT_EQ(tokens("3MODE"), "identifier!(3MODE)");
 }
 
 TEST(Lexer, CharactersOfWordProcessors) {

@@ -332,7 +332,6 @@ TEST(NumericLiterals, WithAFaultAreReportedWhereItIs) {
         {integer, "12ab", "1305@2..4"},
         {integer, "12_ab", "1305@2..5"},
         {typed_literal, "INT#5x", "1305@5..6"},
-        {based_integer, "16#FF.5", "1305@5..7"},
         {based_integer, "16#FF#2", "1305@5..7"},
         // 1306
         {typed_literal, "REAL#5", "1306@5..6", "REAL#5.0"},
@@ -365,6 +364,11 @@ TEST(NumericLiterals, WithAFaultAreReportedWhereItIs) {
         {typed_literal, "SINT#-2#1000_0000", "1309@5..6", "SINT#-128"},
         {typed_literal, "SINT#-2#1000_0001", "1309@5..6"},
         {typed_literal, "WORD#-16#FF", "1309@5..6"},
+        // 1318
+        {based_integer, "16#1.5", "1318@4..6"},
+        {based_integer, "16#FF.5", "1318@5..7"},
+        {typed_literal, "INT#16#1.5x", "1318@8..11"},
+        {typed_literal, "WORD#16#F.F", "1318@9..11"},
         // other dialects
         {real, "1E3", "5003@0..3", "1.0E3"},
         {real, ".5", "5004@0..1", "0.5"},

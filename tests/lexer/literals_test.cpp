@@ -38,6 +38,7 @@ TEST(Literals, SplitEnumeratedValues) {
     expect_split("Color#Red", "Color", "Red");
     expect_split("Red", "", "Red");
     expect_split("Color # Red", "Color", "Red"); // the blanks are the lexer's to report
+    expect_split("Color(*#*)#{p} Red", "Color", "Red");
     expect_split("Color#", "Color", "");
     expect_split("#Red", "", "Red");
     expect_split("", "", "");

@@ -159,6 +159,12 @@ TEST(Durations, WithAFaultAreReportedWhereItIs) {
         // 1504
         {duration, "T#5m3h", "1504@5..6"},
         {duration, "T#5ms_3s", "1504@7..8"},
+        // 1511
+        {duration, "T#1h-5m", "1511@4..5"},
+        {duration, "T#1h_-5m", "1511@5..6"},
+        {duration, "T#1h+5m", "1511@4..5", "T#1h5m"},
+        {duration, "T#1h+5m+3.5s", "1511@4..5 1511@7..8", "T#1h5m3.5s"},
+        {duration, "T#-1h-5ms", "1511@5..6"},
         // 1505
         {duration, "T#5s5s", "1505@5..6"},
         {duration, "T#1h5m_2H", "1505@8..9"},
@@ -188,7 +194,6 @@ TEST(Durations, WithAFaultAreReportedWhereItIs) {
         {duration, "T#5.s", "1304@4..4", "T#5.0s"},
         {duration, "T#1h.5m", "1304@4..4", "T#1h0.5m"},
         {duration, "T#1h_m", "1304@5..5"},
-        {duration, "T#1h-5m", "1304@4..4"},
         // several
         {duration, "T#+1__0h_75_m", "1509@2..3 1508@5..6 1507@9..11 1508@11..12", "T#1_0h_75m"},
     };

@@ -1,6 +1,9 @@
 #include "support/literal_faults.hpp"
 
+#include "support/lexed.hpp"
+
 #include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -45,6 +48,36 @@ bool contains(const std::vector<Diagnostic>& faults, DiagnosticId id) {
 
 bool is_inside(TextRange range, std::string_view text) {
     return range.begin <= range.end && range.end <= text.size();
+}
+
+// A malformed literal that is deliberately not what `expect_lexed_alike` demands.
+struct LexedOtherwise {
+    std::string_view text;
+    std::string_view tokens;
+    std::string_view faults;
+    std::string_view why;
+};
+
+constexpr std::array lexed_otherwise = {
+    LexedOtherwise{"12ab", "identifier!(12ab)", "1105@0..2", "rather a name than a number"},
+    LexedOtherwise{"12_ab", "identifier!(12_ab)", "1105@0..2", "rather a name than a number"},
+    LexedOtherwise{"%IX1*", "direct_variable(%IX1) star(*)", "", "`%IX1*2` is a product"},
+};
+
+// The lexer makes one token of the whole literal, and reports what the literal's own check does.
+void expect_lexed_alike(const LiteralCase& literal) {
+    const auto* const otherwise =
+        std::ranges::find(lexed_otherwise, literal.text, &LexedOtherwise::text);
+    if (otherwise != lexed_otherwise.end()) {
+        EXPECT_EQ(test::tokens(literal.text), otherwise->tokens) << otherwise->why;
+        EXPECT_EQ(test::faults(literal.text), otherwise->faults) << otherwise->why;
+        return;
+    }
+    const std::string tokens = test::tokens(literal.text);
+    const std::string whole = "(" + std::string(literal.text) + ")";
+    EXPECT_TRUE(tokens.ends_with(whole) && tokens.find('(') == tokens.size() - whole.size())
+        << tokens;
+    EXPECT_EQ(test::faults(literal.text), literal.faults);
 }
 
 } // namespace
@@ -107,6 +140,7 @@ void expect_faults(const LiteralCase& literal) {
     SCOPED_TRACE(testing::Message() << literal);
     expect_invariants(literal.kind, literal.text);
     EXPECT_EQ(faults_of(literal.kind, literal.text), literal.faults);
+    expect_lexed_alike(literal);
     const std::string fixed = with_fixes(literal.kind, literal.text);
     EXPECT_EQ(fixed, literal.fixed.empty() ? literal.text : literal.fixed);
     const auto after = check_literal(literal.kind, fixed, Encoding::utf8);

@@ -37,7 +37,9 @@ inline std::ostream& operator<<(std::ostream& out, const LiteralCase& literal) {
 // value comes of a violation, except for one that its `overflow` tells of.
 void expect_invariants(TokenKind kind, std::string_view text, Encoding encoding = Encoding::utf8);
 
-// The faults and the fixed text of the case are as said; fixed faults are gone.
+// The faults and the fixed text of the case are as said; fixed faults are gone. And the lexer makes
+// one token of the text and reports these faults (clause 2.2), but for the exceptions in the
+// source.
 void expect_faults(const LiteralCase& literal);
 
 } // namespace iecfront::tests
