@@ -121,6 +121,8 @@ private:
     [[nodiscard]] bool can_be_prefix(Token token) const;
 
     bool check_word(const char* begin, const char* end);
+    [[nodiscard]] std::optional<TextRange> surplus_of_parted_keyword(const char* begin,
+                                                                     const char* end) const;
     void check_underscores(const char* begin, const char* end);
     bool check_foreign_letters(const char* begin, const char* end);
     const char* find_comment_end(const char* begin);
@@ -374,6 +376,17 @@ bool Lexer::check_word(const char* begin, const char* end) {
     return false;
 }
 
+// The blanks in `END_ IF`.
+std::optional<TextRange> Lexer::surplus_of_parted_keyword(const char* begin,
+                                                          const char* end) const {
+    const char* const rest = Extents::blanks_end(end);
+    const std::string whole =
+        std::string(view(begin, end)).append(view(rest, extents_.word_end(rest)));
+    if (rest == end || keyword_kind(whole) == TokenKind::identifier)
+        return std::nullopt;
+    return range(end, rest);
+}
+
 void Lexer::check_underscores(const char* begin, const char* end) {
     for (const char* p = begin; p != end;) {
         if (*p != '_') {
@@ -387,7 +400,8 @@ void Lexer::check_underscores(const char* begin, const char* end) {
         if (p == begin && run == end)
             report(DiagnosticId::lone_underscore, where);
         else if (run == end)
-            add_replacement(report(DiagnosticId::trailing_underscore, where), where);
+            add_replacement(report(DiagnosticId::trailing_underscore, where),
+                            surplus_of_parted_keyword(begin, end).value_or(where));
         else if (run - p > 1)
             add_replacement(report(p == begin ? DiagnosticId::leading_underscores
                                               : DiagnosticId::consecutive_underscores,

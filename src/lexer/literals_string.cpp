@@ -1,3 +1,4 @@
+#include "lexer/keywords.hpp"
 #include "lexer/literal_scanners.hpp"
 
 #include <algorithm>
@@ -49,6 +50,17 @@ std::size_t without_trailing_comment(std::string_view text, std::size_t end) noe
     return begin == std::string_view::npos ? end : without_trailing_blanks(text, begin);
 }
 
+// THEN, DO or OF behind the last blank is no part of the string.
+std::size_t without_trailing_word(std::string_view content, std::size_t end) noexcept {
+    const std::size_t blank = content.substr(0, end).find_last_of(" \t");
+    if (blank == std::string_view::npos)
+        return end;
+    const TokenKind word = keyword_kind(content.substr(blank + 1, end - blank - 1));
+    const bool behind_expression =
+        word == TokenKind::kw_then || word == TokenKind::kw_do || word == TokenKind::kw_of;
+    return behind_expression ? without_trailing_blanks(content, blank) : end;
+}
+
 // Where the quote is missing that closes `content`, the rest of a line: before what ends the
 // statement, and before the parentheses that were opened before the string.
 std::size_t probable_end(std::string_view content) noexcept {
@@ -56,6 +68,7 @@ std::size_t probable_end(std::string_view content) noexcept {
     end = without_trailing_comment(content, end);
     if (end > 0 && (content[end - 1] == ';' || content[end - 1] == ','))
         end = without_trailing_blanks(content, end - 1);
+    end = without_trailing_word(content, end);
     const std::string_view before = content.substr(0, end);
     std::ptrdiff_t surplus = std::count(before.begin(), before.end(), ')') -
                              std::count(before.begin(), before.end(), '(');

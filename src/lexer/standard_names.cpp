@@ -1,8 +1,7 @@
+#include "lexer/standard_names.hpp"
+
 #include "lexer/keywords.hpp"
 
-#include <iecfront/lexer/standard_names.hpp>
-
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -19,7 +18,7 @@ struct Function {
     Typed typed;
 };
 
-// The names of 2.5.1.5 but for type conversions, in alphabetical order.
+// The names of 2.5.1.5 but for type conversions.
 constexpr std::array functions = {
     Function{"ABS", Typed::number},
     Function{"ACOS", Typed::real},
@@ -79,30 +78,58 @@ constexpr std::array functions = {
     Function{"TRUNC", Typed::never},
     Function{"XOR", Typed::bits},
 };
-static_assert(std::ranges::is_sorted(functions, {}, &Function::name));
 
-// 2.5.2.3, in alphabetical order.
+// 2.5.2.3.
 constexpr std::array<std::string_view, 22> function_blocks = {
     "CTD",      "CTD_DINT",  "CTD_LINT",  "CTD_UDINT",  "CTD_ULINT",  "CTU",
     "CTUD",     "CTUD_DINT", "CTUD_LINT", "CTUD_UDINT", "CTUD_ULINT", "CTU_DINT",
     "CTU_LINT", "CTU_UDINT", "CTU_ULINT", "F_TRIG",     "RS",         "R_TRIG",
     "SR",       "TOF",       "TON",       "TP",
 };
-static_assert(std::ranges::is_sorted(function_blocks));
 
 constexpr std::size_t longest_name = std::string_view("DATE_AND_TIME_TO_TIME_OF_DAY").size();
 
-[[nodiscard]] bool comes_before(std::string_view a, std::string_view b) noexcept {
-    return std::ranges::lexicographical_compare(a, b, {}, fold, fold);
+// Both lists as one, functions first.
+constexpr std::size_t name_count = functions.size() + function_blocks.size();
+
+[[nodiscard]] constexpr std::string_view name_at(std::size_t index) noexcept {
+    return index < functions.size() ? functions[index].name
+                                    : function_blocks[index - functions.size()];
+}
+
+// A hash table with linear probing, as every variable of a program is looked up in it: most names
+// meet an empty slot at once.
+constexpr std::uint8_t empty_slot = 0xFF;
+static_assert(name_count < empty_slot);
+using SlotTable = std::array<std::uint8_t, 1024>;
+
+[[nodiscard]] consteval SlotTable slot_table() {
+    SlotTable table{};
+    for (std::uint8_t& slot : table)
+        slot = empty_slot;
+    for (std::size_t i = 0; i < name_count; ++i) {
+        std::size_t slot = hash_name(name_at(i)) % table.size();
+        while (table[slot] != empty_slot)
+            slot = (slot + 1) % table.size();
+        table[slot] = static_cast<std::uint8_t>(i);
+    }
+    return table;
+}
+
+constexpr SlotTable slots = slot_table();
+
+// The index of a name in both lists, `name_count` when it is in none.
+[[nodiscard]] std::size_t find_name(std::string_view name, std::uint32_t hash) noexcept {
+    for (std::size_t slot = hash % slots.size(); slots[slot] != empty_slot;
+         slot = (slot + 1) % slots.size())
+        if (names_equal(name_at(slots[slot]), name))
+            return slots[slot];
+    return name_count;
 }
 
 [[nodiscard]] const Function* find_function(std::string_view name) noexcept {
-    const auto found = std::ranges::lower_bound(functions, name, comes_before, &Function::name);
-    return found != functions.end() && names_equal(found->name, name) ? &*found : nullptr;
-}
-
-[[nodiscard]] bool is_function_block(std::string_view name) noexcept {
-    return std::ranges::binary_search(function_blocks, name, comes_before);
+    const std::size_t index = find_name(name, hash_name(name));
+    return index < functions.size() ? &functions[index] : nullptr;
 }
 
 // An elementary type, with one spelling for the two that have a long and a short one.
@@ -178,16 +205,29 @@ constexpr std::size_t longest_name = std::string_view("DATE_AND_TIME_TO_TIME_OF_
     return false;
 }
 
+// The names that are built from others end in a type; DAY is the end of TIME_OF_DAY.
+[[nodiscard]] bool ends_in_type(std::string_view name) noexcept {
+    const std::size_t underscore = name.rfind('_');
+    if (underscore == std::string_view::npos)
+        return false;
+    const std::string_view last = name.substr(underscore + 1);
+    return is_elementary_type_name(keyword_kind(last)) || names_equal(last, "DAY");
+}
+
 } // namespace
 
-StandardName standard_name(std::string_view name) noexcept {
+StandardName standard_name(std::string_view name, std::uint32_t hash) noexcept {
     if (name.size() > longest_name)
         return StandardName::none;
-    if (is_function_block(name))
-        return StandardName::function_block;
-    if (find_function(name) != nullptr || is_typed_function(name) || is_conversion(name))
+    if (const std::size_t index = find_name(name, hash); index != name_count)
+        return index < functions.size() ? StandardName::function : StandardName::function_block;
+    if (ends_in_type(name) && (is_typed_function(name) || is_conversion(name)))
         return StandardName::function;
     return StandardName::none;
+}
+
+StandardName standard_name(std::string_view name) noexcept {
+    return standard_name(name, hash_name(name));
 }
 
 } // namespace iecfront

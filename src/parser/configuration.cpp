@@ -396,12 +396,9 @@ const ast::Expression* Parser::parse_connection_operand(std::string what, bool p
 
 /// A symbolic_variable outside bodies, where EN and ENO are keywords like any other (6.1 D24).
 const ast::Expression* Parser::parse_symbolic_variable() {
-    if (!at(TokenKind::identifier))
+    if (at(execution_control))
         report_reserved_word(at_);
-    auto* name = make<ast::VariableName>();
-    name->hash = hash_name(text(at_));
-    advance();
-    return parse_selectors(finish(name));
+    return parse_variable();
 }
 
 // global_var_reference = [ resource_name "." ] global_var_name [ "." structure_element_name ] ;

@@ -1,7 +1,7 @@
+#include "lexer/standard_names.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/name.hpp>
-#include <iecfront/lexer/standard_names.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -301,8 +301,11 @@ const ast::Identifier* Parser::make_missing_identifier(std::string what) {
 }
 
 const ast::Identifier* Parser::parse_name(std::string what) {
-    if (at(TokenKind::identifier))
-        return make_identifier();
+    if (at(TokenKind::identifier)) {
+        const ast::Identifier* name = make_identifier();
+        check_standard_name(name->first_token, name->hash, NameUse::other);
+        return name;
+    }
     static constexpr TokenSet behind_parameter{TokenKind::assign, TokenKind::output_arrow};
     if (is_keyword(kind()) &&
         (used_as_name(kind()) || at_operand_keyword() || behind_parameter.contains(peek())))
@@ -326,11 +329,30 @@ const ast::Identifier* Parser::parse_declared_name(std::string what) {
         return take_reserved_word();
     if (!at(TokenKind::identifier))
         return make_missing_identifier(std::move(what));
-    if (const StandardName standard = standard_name(text(at_)); standard != StandardName::none)
-        report(DiagnosticId::standard_name_as_name, token().range(),
-               {std::string(text(at_)),
-                standard == StandardName::function ? "function" : "function block"});
-    return make_identifier();
+    const ast::Identifier* name = make_identifier();
+    check_standard_name(name->first_token, name->hash, NameUse::declaration);
+    return name;
+}
+
+/// Annex C reserves the names of standard functions for calls, and those of standard function
+/// blocks for types. Once a unit: what follows the first report is the same mistake.
+void Parser::check_standard_name(std::uint32_t token, std::uint32_t hash, NameUse use) {
+    const StandardName standard = standard_name(text(token), hash);
+    const bool function = standard == StandardName::function;
+    if (standard == StandardName::none || use == (function ? NameUse::call : NameUse::type) ||
+        std::find(standard_names_.begin(), standard_names_.end(), hash) != standard_names_.end())
+        return;
+    const bool lacks_parenthesis =
+        function && use == NameUse::other && begins_operand_on_line(at_); // `MAX a, b)`
+    if (lacks_parenthesis)
+        return;
+    standard_names_.push_back(hash);
+    const char* const but = use == NameUse::declaration ? "cannot be given to anything else"
+                            : function                  ? "can only be called"
+                            : use == NameUse::call      ? "cannot be called: declare an instance"
+                                                        : "can only be a type";
+    report(DiagnosticId::standard_name_as_name, tokens_[token].range(),
+           {std::string(text(token)), function ? "function" : "function block", but});
 }
 
 bool Parser::used_as_name(TokenKind kind) const noexcept {

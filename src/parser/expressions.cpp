@@ -468,11 +468,15 @@ const ast::Expression* Parser::parse_variable() {
 
 // variable_name = identifier ;
 const ast::Expression* Parser::parse_variable_name() {
-    if (!at(TokenKind::identifier) && (!at(execution_control) || used_as_name(kind())))
+    const bool identifier = at(TokenKind::identifier);
+    if (!identifier && (!at(execution_control) || used_as_name(kind())))
         report_reserved_word(at_);
     auto* name = make<ast::VariableName>();
     name->hash = hash_name(text(at_));
-    advance();
+    const std::uint32_t word = advance();
+    if (identifier)
+        check_standard_name(word, name->hash,
+                            at(TokenKind::left_parenthesis) ? NameUse::call : NameUse::other);
     return finish(name);
 }
 

@@ -214,18 +214,12 @@ const ast::IlInstruction* Parser::parse_il_instruction() {
 const ast::Identifier* Parser::parse_optional_label() {
     if (peek() != TokenKind::colon || begins_line(next(at_)))
         return nullptr;
-    if (!at(TokenKind::identifier) && !is_keyword(kind()) && !at_literal())
+    const bool literal = at_literal();
+    if (!at(TokenKind::identifier) && !is_keyword(kind()) && !literal)
         return nullptr;
-    const ast::Identifier* label = nullptr;
-    if (at(TokenKind::identifier)) {
-        label = make_identifier();
-    } else if (is_keyword(kind())) {
-        report_reserved_word(at_);
-        label = make_identifier();
-    } else {
-        label = make_missing_identifier("the name of a label");
+    const ast::Identifier* label = parse_declared_name("the name of a label");
+    if (literal)
         advance();
-    }
     accept(TokenKind::colon);
     return label;
 }
@@ -421,6 +415,7 @@ const ast::IlOperation* Parser::parse_il_simple_operation(const IlOperatorRow& r
 const ast::IlOperation* Parser::parse_il_function() {
     auto* node = make<ast::IlSimpleOperation>();
     node->function_name = make_identifier();
+    check_standard_name(node->function_name->first_token, node->function_name->hash, NameUse::call);
     ListBuilder<ast::Expression> operands(*this);
     if (!at_end_of_operands()) {
         operands.add(parse_il_operand());
@@ -580,6 +575,7 @@ const ast::IlOperation* Parser::parse_il_formal_funct_call() {
     const bool formal = begins_line(next(at_)) || peek() == TokenKind::right_parenthesis ||
                         at_formal_argument(next(at_));
     const ast::Identifier* name = make_identifier_of(word);
+    check_standard_name(word, name->hash, NameUse::call);
     if (!formal) {
         advance();
         return parse_operands_in_parentheses(name, open, nullptr);
@@ -935,9 +931,9 @@ const ast::Node* Parser::parse_il_argument() {
 }
 
 const ast::Identifier* Parser::parse_il_argument_name() {
-    if (is_keyword(kind()) && !at(execution_control))
-        report_reserved_word(at_);
-    return make_identifier();
+    if (at(execution_control))
+        return make_identifier();
+    return is_keyword(kind()) ? take_reserved_word() : parse_name("the name of a parameter");
 }
 
 // il_param_out_assignment = il_assign_out_operator il_variable ;

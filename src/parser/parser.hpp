@@ -6,6 +6,7 @@
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/ast/unit.hpp>
 #include <iecfront/diagnostics/diagnostic.hpp>
+#include <iecfront/lexer/standard_names.hpp>
 #include <iecfront/lexer/token.hpp>
 
 #include <array>
@@ -251,6 +252,8 @@ private:
     void report_reserved_word(std::uint32_t token);
     [[nodiscard]] std::string free_suffix(std::string_view word) const;
     const ast::Identifier* take_reserved_word();
+    enum class NameUse : std::uint8_t { declaration, type, call, other };
+    void check_standard_name(std::uint32_t token, std::uint32_t hash, NameUse use);
     [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
     [[nodiscard]] bool at_keyword_for_variable();
 
@@ -748,6 +751,7 @@ private:
         std::string suffix; // that makes it a name of its own
     };
     std::vector<ReservedWord> reserved_words_;              // keywords used as names in this unit
+    std::vector<std::uint32_t> standard_names_;             // the same for standard names: hashes
     std::array<std::int32_t, token_kind_count> unclosed_{}; // by closing word, see unclosed()
     bool balances_known_ = false;
     std::uint32_t else_if_chain_end_ = 0; // last chain that was looked at, see at_else_if_for_elsif

@@ -1102,7 +1102,7 @@ void Parser::parse_for_list(ast::ForStatement& loop) {
         expect_assign();
         loop.from = parse_expression();
     }
-    if (at(TokenKind::kw_do)) {
+    if (at(TokenKind::kw_do) || (at(TokenKind::semicolon) && peek() != TokenKind::kw_to)) {
         report_missing(DiagnosticId::missing_token, {"`TO` with a last value"});
         loop.to = make_missing<ast::ErrorExpression>();
         return;

@@ -176,7 +176,8 @@ const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use)
 const ast::TypeSpecification* Parser::parse_type_name() {
     auto* node = make<ast::DerivedTypeName>();
     node->hash = hash_name(text(at_));
-    advance();
+    const std::uint32_t word = advance();
+    check_standard_name(word, node->hash, NameUse::type);
     return finish(node);
 }
 

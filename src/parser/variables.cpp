@@ -67,8 +67,7 @@ bool Parser::at_end_of_declarations() {
     const bool statement = at_statement_start() && !is_elementary_type_name(peek_second());
     const bool instruction = token().first_on_line() && peek() != TokenKind::colon &&
                              at(TokenKind::identifier) && begins_instruction_on_line();
-    const bool empty =
-        at(TokenKind::semicolon) && token().first_on_line() && unit_ends.contains(peek());
+    const bool empty = at(TokenKind::semicolon) && unit_ends.contains(peek());
     return open_.back().closer == TokenKind::kw_end_var && (statement || instruction || empty) &&
            unclosed(TokenKind::kw_end_var) > 0;
 }
