@@ -101,65 +101,148 @@ bool Parser::ends_operator(std::uint32_t index) const noexcept {
            tokens_[index - 1].end() == tokens_[index].offset() && names_equal(text(index), "N");
 }
 
-/// The language of the body that begins here (6.2 A28). Each line that reads as an instruction
-/// speaks for IL, each `;`, `:=` and statement for ST, and the majority decides, so that one
-/// mistake never turns a whole body into another language.
-BodyLanguage Parser::body_language() const noexcept {
-    // More than a stretch of the other language has that somebody left at the begin of a body. To
-    // count all of each body takes a twentieth of the time of parsing.
-    constexpr std::int32_t decisive_lead = 50;
-    if (begins_chart_element(at_))
-        return BodyLanguage::sequential_function_chart;
-    std::int32_t instructions = 0;
-    std::int32_t statements = 0;
-    std::int32_t chart_words = misspelt_chart_word() == TokenKind::end_of_unit ? 0 : 1;
-    std::uint32_t depth = 0; // of parentheses
-    LineKind line = LineKind::operation;
-    bool behind_instruction = false;
-    bool closing_words = false;
-    for (std::uint32_t i = at_; !unit_ends.contains(tokens_[i].kind()); i = next(i)) {
-        const TokenKind here = tokens_[i].kind();
-        if (here == open_.back().closer || std::abs(instructions - statements) >= decisive_lead)
-            break;
-        if ((i == at_ || tokens_[i].first_on_line()) && here != TokenKind::right_parenthesis) {
-            behind_instruction = i != at_ && line == LineKind::operation;
-            line = line_kind(i, line);
-            instructions += line == LineKind::other ? 0 : 1;
-        }
-        if (chart_closers.contains(here) || begins_chart_element(i)) {
-            if (open_.back().closer == TokenKind::kw_end_action)
-                break; // the action is not closed
-            if (++chart_words == 2)
-                return BodyLanguage::sequential_function_chart;
-        }
-        closing_words = closing_words || statement_closers.contains(here);
-        const bool call = line == LineKind::other && !behind_instruction && depth == 0 && i > at_ &&
-                          tokens_[i - 1].kind() == TokenKind::identifier &&
-                          !is_il_operator(text(i - 1)) && !ends_operator(i - 1);
-        switch (here) {
-        case TokenKind::left_parenthesis:
-            // Behind the parenthesis of an IL call the line ends.
-            statements += call && !tokens_[next(i)].first_on_line() ? 1 : 0;
-            ++depth;
-            break;
-        case TokenKind::right_parenthesis: depth -= depth > 0 ? 1 : 0; break;
-        case TokenKind::assign:
-        case TokenKind::equal: statements += line == LineKind::other && depth == 0 ? 1 : 0; break;
-        case TokenKind::semicolon:
-            depth = 0;
-            statements += line == LineKind::operation ? 0 : 1;
-            instructions -= line == LineKind::application ? 1 : 0;
-            line = line == LineKind::application ? LineKind::other : line;
-            break;
-        default: statements += statement_words.contains(here) ? 1 : 0;
-        }
+/// Counts what speaks for each language in a body.
+class Parser::BodySurvey {
+public:
+    explicit BodySurvey(const Parser& parser) noexcept
+        : parser_(parser),
+          begin_(parser.at_),
+          closer_(parser.open_.back().closer),
+          misspelt_(parser.misspelt_chart_word() != TokenKind::end_of_unit),
+          begins_chart_(parser.begins_chart_element(begin_) || misspelt_),
+          chart_words_(misspelt_ ? 1 : 0) {}
+
+    [[nodiscard]] BodyLanguage language() noexcept;
+
+private:
+    void survey() noexcept;
+    [[nodiscard]] bool is_decided() const noexcept;
+    void count_chart_word(std::uint32_t& index) noexcept;
+    void begin_line(std::uint32_t index) noexcept;
+    void count_token(std::uint32_t index) noexcept;
+    [[nodiscard]] bool is_call(std::uint32_t open) const noexcept;
+    void count_statement(bool counts) noexcept;
+    [[nodiscard]] TokenKind kind(std::uint32_t index) const noexcept {
+        return parser_.tokens_[index].kind();
     }
-    if (chart_words > statements + instructions)
+
+    const Parser& parser_;
+    const std::uint32_t begin_;
+    const TokenKind closer_;
+    const bool misspelt_; // the first word is very probably one of a chart
+    const bool begins_chart_;
+    std::int32_t chart_words_;
+    std::int32_t instructions_ = 0;
+    std::int32_t statements_ = 0;
+    std::uint32_t depth_ = 0; // of parentheses
+    LineKind line_ = LineKind::operation;
+    bool behind_instruction_ = false;
+    bool statement_on_line_ = false;
+    bool closing_words_ = false;
+};
+
+/// Enough to be sure: to count all of each body takes a twentieth of the time of parsing.
+bool Parser::BodySurvey::is_decided() const noexcept {
+    // More than a stretch of the other language has that somebody left at the begin of a body.
+    constexpr std::int32_t decisive_lead = 50;
+    constexpr std::int32_t decisive_chart = 3; // more than one element has
+    return std::abs(instructions_ - statements_) >= decisive_lead || chart_words_ >= decisive_chart;
+}
+
+/// The closing word of the chart element that begins at token `index` when no other stands before
+/// it, and else `index`.
+std::uint32_t Parser::chart_element_end(std::uint32_t index) const noexcept {
+    static constexpr TokenSet words = chart_openers | chart_closers | unit_ends;
+    std::uint32_t i = next(index);
+    while (!words.contains(tokens_[i].kind()))
+        i = next(i);
+    return tokens_[i].kind() == closer_of(tokens_[index].kind()) ? i : index;
+}
+
+/// What stands in an element of a chart says nothing of the body.
+void Parser::BodySurvey::count_chart_word(std::uint32_t& index) noexcept {
+    ++chart_words_;
+    if (chart_closers.contains(kind(index)))
+        return;
+    const std::uint32_t end = parser_.chart_element_end(index);
+    chart_words_ += end != index ? 1 : 0;
+    index = end;
+}
+
+void Parser::BodySurvey::begin_line(std::uint32_t index) noexcept {
+    behind_instruction_ = index != begin_ && line_ == LineKind::operation;
+    line_ = parser_.line_kind(index, line_);
+    instructions_ += line_ == LineKind::other ? 0 : 1;
+    statement_on_line_ = false;
+}
+
+/// As many statements as stand on one line are as much as one instruction.
+void Parser::BodySurvey::count_statement(bool counts) noexcept {
+    if (!counts || statement_on_line_)
+        return;
+    ++statements_;
+    statement_on_line_ = true;
+}
+
+/// True at the parenthesis of a call of ST. Behind that of an IL call the line ends.
+bool Parser::BodySurvey::is_call(std::uint32_t open) const noexcept {
+    return line_ == LineKind::other && !behind_instruction_ && depth_ == 0 && open > begin_ &&
+           kind(open - 1) == TokenKind::identifier && !is_il_operator(parser_.text(open - 1)) &&
+           !parser_.ends_operator(open - 1) && !parser_.tokens_[parser_.next(open)].first_on_line();
+}
+
+void Parser::BodySurvey::count_token(std::uint32_t index) noexcept {
+    switch (const TokenKind here = kind(index)) {
+    case TokenKind::left_parenthesis:
+        count_statement(is_call(index));
+        ++depth_;
+        break;
+    case TokenKind::right_parenthesis: depth_ -= depth_ > 0 ? 1 : 0; break;
+    case TokenKind::assign:
+    case TokenKind::equal: count_statement(line_ == LineKind::other && depth_ == 0); break;
+    case TokenKind::semicolon:
+        depth_ = 0;
+        count_statement(line_ != LineKind::operation);
+        instructions_ -= line_ == LineKind::application ? 1 : 0;
+        line_ = line_ == LineKind::application ? LineKind::other : line_;
+        break;
+    default:
+        count_statement(statement_words.contains(here));
+        closing_words_ = closing_words_ || statement_closers.contains(here);
+    }
+}
+
+void Parser::BodySurvey::survey() noexcept {
+    for (std::uint32_t i = begin_;
+         !unit_ends.contains(kind(i)) && kind(i) != closer_ && !is_decided(); i = parser_.next(i)) {
+        if (chart_closers.contains(kind(i)) || parser_.begins_chart_element(i)) {
+            if (closer_ == TokenKind::kw_end_action && !begins_chart_)
+                return; // the action is not closed
+            count_chart_word(i);
+            continue;
+        }
+        if ((i == begin_ || parser_.tokens_[i].first_on_line()) &&
+            kind(i) != TokenKind::right_parenthesis)
+            begin_line(i);
+        count_token(i);
+    }
+}
+
+BodyLanguage Parser::BodySurvey::language() noexcept {
+    survey();
+    // Two elements make a chart, whatever stands around them.
+    if (chart_words_ > 2 || chart_words_ + (begins_chart_ ? 1 : 0) > statements_ + instructions_)
         return BodyLanguage::sequential_function_chart;
-    if (instructions == 0 && statements == 0 && !closing_words)
+    if (instructions_ == 0 && statements_ == 0 && !closing_words_)
         return BodyLanguage::instruction_list;
-    return instructions > statements ? BodyLanguage::instruction_list
-                                     : BodyLanguage::structured_text;
+    return instructions_ > statements_ ? BodyLanguage::instruction_list
+                                       : BodyLanguage::structured_text;
+}
+
+/// The language of the body that begins here (6.2 A28). Each line speaks for one language, and the
+/// majority decides, so that one mistake never turns a whole body into another language.
+BodyLanguage Parser::body_language() const noexcept {
+    return BodySurvey(*this).language();
 }
 
 } // namespace iecfront

@@ -303,7 +303,7 @@ const ast::Identifier* Parser::make_missing_identifier(std::string what) {
 const ast::Identifier* Parser::parse_name(std::string what) {
     if (at(TokenKind::identifier)) {
         const ast::Identifier* name = make_identifier();
-        check_standard_name(name->first_token, name->hash, NameUse::other);
+        check_standard_name(tokens_[name->first_token].range(), name->hash, NameUse::other);
         return name;
     }
     static constexpr TokenSet behind_parameter{TokenKind::assign, TokenKind::output_arrow};
@@ -330,14 +330,15 @@ const ast::Identifier* Parser::parse_declared_name(std::string what) {
     if (!at(TokenKind::identifier))
         return make_missing_identifier(std::move(what));
     const ast::Identifier* name = make_identifier();
-    check_standard_name(name->first_token, name->hash, NameUse::declaration);
+    check_standard_name(tokens_[name->first_token].range(), name->hash, NameUse::declaration);
     return name;
 }
 
 /// Annex C reserves the names of standard functions for calls, and those of standard function
 /// blocks for types. Once a unit: what follows the first report is the same mistake.
-void Parser::check_standard_name(std::uint32_t token, std::uint32_t hash, NameUse use) {
-    const StandardName standard = standard_name(text(token), hash);
+void Parser::check_standard_name(TextRange range, std::uint32_t hash, NameUse use) {
+    const std::string_view name = text_.substr(range.begin, range.size());
+    const StandardName standard = standard_name(name, hash);
     const bool function = standard == StandardName::function;
     if (standard == StandardName::none || use == (function ? NameUse::call : NameUse::type) ||
         std::find(standard_names_.begin(), standard_names_.end(), hash) != standard_names_.end())
@@ -351,8 +352,8 @@ void Parser::check_standard_name(std::uint32_t token, std::uint32_t hash, NameUs
                             : function                  ? "can only be called"
                             : use == NameUse::call      ? "cannot be called: declare an instance"
                                                         : "can only be a type";
-    report(DiagnosticId::standard_name_as_name, tokens_[token].range(),
-           {std::string(text(token)), function ? "function" : "function block", but});
+    report(DiagnosticId::standard_name_as_name, range,
+           {std::string(name), function ? "function" : "function block", but});
 }
 
 bool Parser::used_as_name(TokenKind kind) const noexcept {

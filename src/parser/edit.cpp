@@ -1,6 +1,7 @@
 #include "parser/unit_parser.hpp"
 
 #include <iecfront/ast/syntax_tree.hpp>
+#include <iecfront/lexer/name.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -16,11 +17,16 @@ using Slots = std::span<const SyntaxTree::Slot>;
 constexpr std::size_t cutter_lookahead = 8;
 
 /// True when the unit begins with a word. A point or a number sign can belong to the token before
-/// it instead, so that there a text can be read neither from its middle on nor up to it.
+/// it instead, so that there a text can be read neither from its middle on nor up to it; so can `%`
+/// and `|`, which alone are taken for MOD and OR.
 bool begins_with_word(const Unit& unit) {
     const auto tokens = unit.tokens();
-    return !tokens.empty() &&
-           (is_keyword(tokens[0].kind()) || tokens[0].kind() == TokenKind::identifier);
+    if (tokens.empty())
+        return false;
+    const Token first = tokens[0];
+    const char letter = fold(unit.text()[first.offset()]);
+    return first.kind() == TokenKind::identifier ||
+           (is_keyword(first.kind()) && letter >= 'A' && letter <= 'Z');
 }
 
 /// The first slot that has to be read again when something changes in `slot`: tokens of later units

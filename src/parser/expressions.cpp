@@ -475,7 +475,7 @@ const ast::Expression* Parser::parse_variable_name() {
     name->hash = hash_name(text(at_));
     const std::uint32_t word = advance();
     if (identifier)
-        check_standard_name(word, name->hash,
+        check_standard_name(tokens_[word].range(), name->hash,
                             at(TokenKind::left_parenthesis) ? NameUse::call : NameUse::other);
     return finish(name);
 }

@@ -325,13 +325,23 @@ const ast::IlOperation* Parser::parse_il_operation() {
     return parse_il_error_operation();
 }
 
-/// A statement of ST: a variable and `:=`, or a word that begins one.
+/// `f(a);`
+bool Parser::at_invocation_statement() const noexcept {
+    const std::uint32_t open = next(at_);
+    if (!at(TokenKind::identifier) || il_operator(at_) != nullptr ||
+        tokens_[open].kind() != TokenKind::left_parenthesis || begins_line(open))
+        return false;
+    const std::uint32_t close = closing_parenthesis(open);
+    return close != count_ && tokens_[next(close)].kind() == TokenKind::semicolon;
+}
+
+/// A statement of ST: a variable and `:=`, an invocation, or a word that begins one.
 bool Parser::at_structured_text() const noexcept {
     static constexpr TokenSet after_variable{TokenKind::assign, TokenKind::equal, TokenKind::dot,
                                              TokenKind::left_bracket};
     const bool variable =
         at(TokenKind::identifier) || at(TokenKind::direct_variable) || at(execution_control);
-    return at(statement_words) ||
+    return at(statement_words) || at_invocation_statement() ||
            (variable && after_variable.contains(peek()) && !begins_line(next(at_)));
 }
 
@@ -415,7 +425,8 @@ const ast::IlOperation* Parser::parse_il_simple_operation(const IlOperatorRow& r
 const ast::IlOperation* Parser::parse_il_function() {
     auto* node = make<ast::IlSimpleOperation>();
     node->function_name = make_identifier();
-    check_standard_name(node->function_name->first_token, node->function_name->hash, NameUse::call);
+    check_standard_name(tokens_[node->function_name->first_token].range(),
+                        node->function_name->hash, NameUse::call);
     ListBuilder<ast::Expression> operands(*this);
     if (!at_end_of_operands()) {
         operands.add(parse_il_operand());
@@ -488,13 +499,8 @@ const ast::IlOperation* Parser::parse_il_return_operation(const IlOperatorRow& r
 
 // ---- parentheses --------------------------------------------------------------------------------
 
-/// True when the parenthesis at token `open` is closed before the body ends.
-bool Parser::parenthesis_closes(std::uint32_t open) const noexcept {
-    return closing_parenthesis(open) != count_;
-}
-
-/// What closes the parenthesis at token `open`, end_of_unit when the body ends before that. Very
-/// far away it is not looked for, and what stands there is taken for it.
+/// Where the parenthesis at token `open` is closed, or somewhere behind it when that is far away;
+/// the number of tokens when it is not closed before the body ends.
 std::uint32_t Parser::closing_parenthesis(std::uint32_t open) const noexcept {
     constexpr std::uint32_t furthest = 1000; // bounds the time that a run of parentheses takes
     std::uint32_t depth = 0;
@@ -506,7 +512,7 @@ std::uint32_t Parser::closing_parenthesis(std::uint32_t open) const noexcept {
         if (kind == TokenKind::left_parenthesis)
             ++depth;
         else if (kind == TokenKind::right_parenthesis && --depth == 0)
-            return i;
+            break;
     }
     return i;
 }
@@ -575,7 +581,7 @@ const ast::IlOperation* Parser::parse_il_formal_funct_call() {
     const bool formal = begins_line(next(at_)) || peek() == TokenKind::right_parenthesis ||
                         at_formal_argument(next(at_));
     const ast::Identifier* name = make_identifier_of(word);
-    check_standard_name(word, name->hash, NameUse::call);
+    check_standard_name(tokens_[word].range(), name->hash, NameUse::call);
     if (!formal) {
         advance();
         return parse_operands_in_parentheses(name, open, nullptr);

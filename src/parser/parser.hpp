@@ -253,7 +253,7 @@ private:
     [[nodiscard]] std::string free_suffix(std::string_view word) const;
     const ast::Identifier* take_reserved_word();
     enum class NameUse : std::uint8_t { declaration, type, call, other };
-    void check_standard_name(std::uint32_t token, std::uint32_t hash, NameUse use);
+    void check_standard_name(TextRange range, std::uint32_t hash, NameUse use);
     [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
     [[nodiscard]] bool at_keyword_for_variable();
 
@@ -357,6 +357,7 @@ private:
     [[nodiscard]] TokenKind separator_in_parentheses() const noexcept;
     const ast::Expression* parse_initial_value();
     const ast::Expression* parse_enumerated_value();
+    void check_enumerated_value_names(std::uint32_t token);
     const ast::Expression* parse_array_initialization();
     const ast::Expression* parse_array_initial_elements();
     const ast::Expression* parse_structure_initialization();
@@ -427,6 +428,8 @@ private:
     const ast::Body* parse_body();
     const ast::Body* parse_empty_body();
     [[nodiscard]] BodyLanguage body_language() const noexcept; // body_language.cpp
+    class BodySurvey;
+    [[nodiscard]] std::uint32_t chart_element_end(std::uint32_t index) const noexcept;
     enum class LineKind { operation, application, other };
     [[nodiscard]] LineKind line_kind(std::uint32_t index, LineKind before) const noexcept;
     [[nodiscard]] bool begins_deferred_operation(std::uint32_t index) const noexcept;
@@ -582,6 +585,7 @@ private:
     const ast::Statement* parse_statement();
     [[nodiscard]] bool at_statement_label() const noexcept;
     const ast::Statement* parse_misplaced_declarations();
+    const ast::Statement* skip_chart_element();
     const ast::Statement* parse_too_deep_statement();
     const ast::ErrorStatement* expect_semicolon_of_statement(const ast::Statement& statement);
     [[nodiscard]] bool at_condition_behind_statement();
@@ -680,8 +684,11 @@ private:
     [[nodiscard]] bool at_formal_argument(std::uint32_t index) const noexcept;
     [[nodiscard]] bool begins_instruction_on_line() const noexcept;
     [[nodiscard]] bool begins_outer_instruction(bool begun) const noexcept;
-    [[nodiscard]] bool parenthesis_closes(std::uint32_t open) const noexcept;
+    [[nodiscard]] bool at_invocation_statement() const noexcept;
     [[nodiscard]] std::uint32_t closing_parenthesis(std::uint32_t open) const noexcept;
+    [[nodiscard]] bool parenthesis_closes(std::uint32_t open) const noexcept {
+        return closing_parenthesis(open) != count_;
+    }
     [[nodiscard]] bool parentheses_close_on_line() const noexcept;
     void expect_line_end();
     void expect_line_end_in(MissingLineEnds& missing, std::string_view where);

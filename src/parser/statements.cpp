@@ -345,6 +345,8 @@ const ast::Statement* Parser::parse_statement() {
         skip_foreign_member();
         return finish(member);
     }
+    if (begins_chart_element(at_) && chart_element_end(at_) != at_)
+        return skip_chart_element();
     if (at_statement_label()) {
         auto* label = make<ast::ErrorStatement>();
         report_at(at_, DiagnosticId::not_a_statement, {"a label"});
@@ -380,6 +382,16 @@ const ast::Statement* Parser::parse_statement() {
     }
     report_at(at_, DiagnosticId::not_a_statement, {quoted(at_)});
     return skip_statement();
+}
+
+/// Passes over a step, transition or action from its opening word to its closing word.
+const ast::Statement* Parser::skip_chart_element() {
+    auto* error = make<ast::ErrorStatement>();
+    report_at(at_, DiagnosticId::not_a_statement, {quoted(at_)});
+    const std::uint32_t closer = chart_element_end(at_);
+    while (at_ <= closer && !at_end()) // what is read again may end before
+        advance();
+    return finish(error);
 }
 
 /// `label: x := 1;`, as in instruction lists and other languages.

@@ -177,7 +177,7 @@ const ast::TypeSpecification* Parser::parse_type_name() {
     auto* node = make<ast::DerivedTypeName>();
     node->hash = hash_name(text(at_));
     const std::uint32_t word = advance();
-    check_standard_name(word, node->hash, NameUse::type);
+    check_standard_name(tokens_[word].range(), node->hash, NameUse::type);
     return finish(node);
 }
 
@@ -406,7 +406,7 @@ const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaratio
     if (at(TokenKind::enumerated_value)) {
         auto* name = make<ast::Identifier>();
         name->hash = hash_name(split_enumerated_value(text(at_)).value);
-        advance();
+        check_enumerated_value_names(advance());
         node->name = finish(name);
     } else {
         node->name = parse_declared_name("an enumerated value");
@@ -747,17 +747,27 @@ const ast::Expression* Parser::as_enumerated_value(const ast::Expression& name) 
 
 const ast::Expression* Parser::parse_enumerated_value() {
     auto* node = make<ast::EnumeratedValue>();
-    const std::string_view value = split_enumerated_value(text(at_)).value;
-    node->hash = hash_name(value);
-    if (at(TokenKind::enumerated_value) && !token().malformed() &&
-        keyword_kind(value) != TokenKind::identifier) {
-        const auto size = static_cast<std::uint32_t>(value.size());
-        const TextRange range{token().end() - size, token().end()};
-        report(DiagnosticId::reserved_word_as_name, range, {std::string(value)})
-            .replace(range, std::string(value) + "_1");
-    }
-    advance();
+    node->hash = hash_name(split_enumerated_value(text(at_)).value);
+    check_enumerated_value_names(advance());
     return finish(node);
+}
+
+/// The two names of `Color#Red` are one token, so that no other function sees them.
+void Parser::check_enumerated_value_names(std::uint32_t token) {
+    if (tokens_[token].malformed() || is_keyword(tokens_[token].kind())) // reported already
+        return;
+    const EnumeratedValueName names = split_enumerated_value(text(token));
+    for (const std::string_view name : {names.type, names.value}) {
+        if (name.empty())
+            continue;
+        const auto begin = static_cast<std::uint32_t>(name.data() - text_.data());
+        const TextRange range{begin, begin + static_cast<std::uint32_t>(name.size())};
+        if (keyword_kind(name) != TokenKind::identifier)
+            report(DiagnosticId::reserved_word_as_name, range, {std::string(name)})
+                .replace(range, std::string(name) + "_1");
+        else
+            check_standard_name(range, hash_name(name), NameUse::other);
+    }
 }
 
 /// `[1; 2]`, when the list goes on behind the `;` and is closed in this line. All of them are one

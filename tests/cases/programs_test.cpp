@@ -1,3 +1,4 @@
+#include "support/edit_faults.hpp"
 #include "support/invariants.hpp"
 #include "support/repository_files.hpp"
 
@@ -16,6 +17,11 @@ class Programs : public testing::TestWithParam<RepositoryFile> {};
 
 TEST_P(Programs, KeepTheInvariants) {
     expect_invariants(SourceText(GetParam().text, GetParam().path));
+}
+
+TEST_P(Programs, AreEqualToAFreshTreeAfterHundredsOfEdits) {
+    constexpr std::size_t edits = 400;
+    EXPECT_EQ(random_edits_fault(SourceText(GetParam().text), {}, edits), "");
 }
 
 TEST_P(Programs, HaveNoFault) {

@@ -1,3 +1,5 @@
+#include "support/edit_faults.hpp"
+
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/parser/parse.hpp>
 
@@ -114,6 +116,32 @@ TEST(Edit, ReadsAPointWithTheWordBeforeIt) {
     EXPECT_TRUE(before == parse(before.source()));
     const SyntaxTree behind = tree.edited(place_of(tree, "g h\nFUNCTION"), "g\nFUNCTION");
     EXPECT_TRUE(behind == parse(behind.source()));
+}
+
+// What the lexer takes for MOD and OR stands alone: behind other text it is a part of something
+// else.
+TEST(Edit, ReadsASignOfAnotherLanguageWithTheWordBeforeIt) {
+    for (const std::string sign : {"%IX", "|IX", "!", "&&"}) {
+        const SyntaxTree tree = parse(SourceText("PROGRAM p\n;\nEND_PROGRAM" + sign + "\n" +
+                                                 function(1) + "PROGRAM q\n;\nEND_PROGRAM\n"));
+        const SyntaxTree edited = tree.edited(place_of(tree, "\nPROGRAM q"), "\n;PROGRAM q");
+        EXPECT_TRUE(edited == parse(edited.source())) << sign;
+    }
+}
+
+// Everything in a small text is replaced by everything, so that comments, strings and units open,
+// close, split and join.
+TEST(Edit, EqualsAFreshTreeForEveryEditOfSmallTexts) {
+    for (const char* const text : {
+             "PROGRAM p ; END_PROGRAM",
+             "TYPE a:INT;END_TYPE(*b*)",
+             "(*a(*b*)c*) TYPE\n",
+             "x'(*';{*)}'\n",
+             "END_TYPE%IX1.5 TYPE",
+             "F#1 \"$\"\r\nRET//",
+             "/*a*/(*\n*)VAR|x;",
+         })
+        EXPECT_EQ(test::every_edit_fault(SourceText(text), {}), "") << text;
 }
 
 // Once a comment is closed, no unit depends on what follows any more.

@@ -19,15 +19,34 @@ namespace {
 constexpr std::size_t small_size = 400;
 /// So many edits of one kind at most are tried in a small text: a longer one is edited at every
 /// second place, every third, and so on. Chosen so that all case files take seconds, not minutes.
-constexpr std::size_t places_of_small = 100;
+constexpr std::size_t places_of_small = 60;
 constexpr std::size_t edits_of_large = 40;
 constexpr std::size_t edits_in_chain = 24;
 constexpr std::size_t mutations_of_a_kind = 24;
 
 /// What changes most about the text behind it.
-constexpr std::array<std::string_view, 12> insertions = {
-    ";", "(*", "*)", "'",    "\n", " END_IF", "\nFUNCTION f : INT\n", "\nEND_FUNCTION\n",
-    "{", "}",  ".5", "TYPE "};
+constexpr std::array<std::string_view, 20> insertions = {
+    ";",
+    "(*",
+    "*)",
+    "'",
+    "\n",
+    " END_IF",
+    "\nFUNCTION f : INT\n",
+    "\nEND_FUNCTION\n",
+    "{",
+    "}",
+    ".5",
+    "TYPE ",
+    "\"",
+    "%",
+    "|",
+    "//",
+    "#",
+    " ",
+    "_",
+    "END_FUNCTION FUNCTION g : INT ",
+};
 
 /// Draws numbers; the same ones in every run and with every library.
 class Dice {
@@ -132,8 +151,22 @@ private:
     return "";
 }
 
-// ---- mutations
-// -----------------------------------------------------------------------------------
+/// Each stretch of the text taken out, or replaced by each insertion.
+[[nodiscard]] std::string fault_of_every_edit(Editor& editor) {
+    const std::size_t size = editor.text().size();
+    for (std::size_t begin = 0; begin <= size; ++begin)
+        for (std::size_t end = begin; end <= size; ++end) {
+            std::string fault = editor.fault_of({range_at(begin, end - begin), ""});
+            for (const std::string_view insertion : insertions)
+                if (fault.empty())
+                    fault = editor.fault_of({range_at(begin, end - begin), std::string(insertion)});
+            if (!fault.empty())
+                return fault;
+        }
+    return "";
+}
+
+// ---- mutations ----------------------------------------------------------------------------------
 
 /// The ranges of all tokens, counted from the start of the file.
 [[nodiscard]] std::vector<TextRange> tokens_of(const SyntaxTree& tree) {
@@ -200,6 +233,23 @@ std::string edit_fault(const SourceText& source, const ParseOptions& options) {
     std::string fault =
         small ? fault_anywhere(editor) : fault_of_drawn(editor, dice, edits_of_large, false);
     return fault.empty() ? fault_of_drawn(editor, dice, edits_in_chain, true) : fault;
+}
+
+std::string every_edit_fault(const SourceText& source, const ParseOptions& options) {
+    Editor editor(source, options);
+    return fault_of_every_edit(editor);
+}
+
+std::string random_edits_fault(const SourceText& source, const ParseOptions& options,
+                               std::size_t count) {
+    Editor single(source, options);
+    Dice dice;
+    std::string fault = fault_of_drawn(single, dice, count / 2, false);
+    for (std::size_t i = 0; i < count / 2 && fault.empty(); i += edits_in_chain) {
+        Editor chain(source, options); // anew: after many edits little of the text is left
+        fault = fault_of_drawn(chain, dice, edits_in_chain, true);
+    }
+    return fault;
 }
 
 std::string mutation_fault(const SourceText& source, const ParseOptions& options) {

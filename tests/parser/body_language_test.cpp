@@ -1,0 +1,123 @@
+#include <iecfront/ast/visitor.hpp>
+#include <iecfront/parser/parse.hpp>
+
+#include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace iecfront {
+namespace {
+
+// 6.2 A28: nothing in a text says in which language a body is written, and one mistake never turns
+// a whole body into another language.
+
+constexpr std::size_t lines = 200;
+
+std::vector<std::string> statements() {
+    std::vector<std::string> body;
+    for (std::size_t i = 0; i < lines; ++i)
+        body.push_back("a := b + " + std::to_string(i) + ";");
+    return body;
+}
+
+std::vector<std::string> instructions() {
+    std::vector<std::string> body;
+    for (std::size_t i = 0; i < lines; ++i)
+        body.emplace_back(i % 2 == 0 ? "LD a" : "ST b");
+    return body;
+}
+
+SyntaxTree parse_body(const std::vector<std::string>& body) {
+    std::string text = "PROGRAM p\n";
+    for (const std::string& line : body)
+        text += line + '\n';
+    return parse(SourceText(text + "END_PROGRAM\n"));
+}
+
+std::size_t count_nodes(const SyntaxTree& tree, ast::NodeKind kind) {
+    std::size_t nodes = 0;
+    for (const auto& slot : tree.slots())
+        ast::walk(slot.unit->root(), [&](const ast::Node& node) {
+            nodes += node.kind == kind ? 1 : 0;
+            return ast::Walk::into;
+        });
+    return nodes;
+}
+
+// With `line` put in at `place`, all others are read as before, and there is one report.
+void expect_lines_kept(std::vector<std::string> body, ast::NodeKind kind, const std::string& line,
+                       std::size_t place) {
+    const std::size_t before = count_nodes(parse_body(body), kind);
+    body.insert(body.begin() + static_cast<std::ptrdiff_t>(place), line);
+    const SyntaxTree tree = parse_body(body);
+    EXPECT_GE(count_nodes(tree, kind), before) << line << " at " << place;
+    EXPECT_EQ(tree.diagnostics().size(), 1U) << line << " at " << place;
+}
+
+constexpr std::size_t places[] = {0, 1, 10, lines / 2, lines - 1, lines};
+
+constexpr const char* chart_lines[] = {
+    " STEP s:",       " STEP s: END_STEP",
+    " STEP cnt = 1;", " INITIAL_STEP s:",
+    " ACTION x:",     " INITIAL_STEP s: END_STEP",
+    " ACTION a;",     " ACTION x: ; END_ACTION",
+    " STEP := 1;",    " TRANSITION FROM a TO b := x; END_TRANSITION",
+};
+
+TEST(BodyLanguage, OfStatementsSurvivesALineOfAChart) {
+    for (const char* const line : chart_lines)
+        for (const std::size_t place : places)
+            expect_lines_kept(statements(), ast::NodeKind::assignment_statement, line, place);
+}
+
+TEST(BodyLanguage, OfInstructionsSurvivesALineOfAChart) {
+    for (const char* const line : chart_lines)
+        for (const std::size_t place : places)
+            expect_lines_kept(instructions(), ast::NodeKind::il_simple_operation, line, place);
+}
+
+TEST(BodyLanguage, OfStatementsSurvivesAnInstruction) {
+    for (const char* const line : {"LD a", "JMPC x", "CAL f()", "ST b"})
+        for (const std::size_t place : places)
+            expect_lines_kept(statements(), ast::NodeKind::assignment_statement, line, place);
+}
+
+TEST(BodyLanguage, OfInstructionsSurvivesAStatement) {
+    for (const char* const line :
+         {"a := 1;", "IF b THEN c := 1; END_IF;", "f(a);", "a := 1; b := 2; c := 3;"})
+        for (const std::size_t place : places)
+            expect_lines_kept(instructions(), ast::NodeKind::il_simple_operation, line, place);
+}
+
+TEST(BodyLanguage, OfTwoInstructionsSurvivesAStatementOfMany) {
+    expect_lines_kept({"LD a", "ST b"}, ast::NodeKind::il_simple_operation,
+                      "IF b THEN c := 1; END_IF;", 1);
+}
+
+TEST(BodyLanguage, OfStatementsSurvivesAMissingSemicolon) {
+    for (const std::size_t place : {std::size_t{0}, lines / 2, lines - 1}) {
+        std::vector<std::string> body = statements();
+        body[place].pop_back();
+        const SyntaxTree tree = parse_body(body);
+        EXPECT_EQ(count_nodes(tree, ast::NodeKind::assignment_statement), lines);
+        EXPECT_EQ(tree.diagnostics().size(), 1U);
+    }
+}
+
+// The action is as long as a body, and all of it stands outside of elements then.
+TEST(BodyLanguage, OfAChartSurvivesAMissingClosingWord) {
+    const std::pair<const char*, const char*> closing_words[] = {
+        {" END_STEP", "END_ACTION"}, {"", "END_ACTION"}, {" END_STEP", ""}};
+    for (const auto& [end_step, end_action] : closing_words) {
+        std::vector<std::string> body = statements();
+        body.insert(body.begin(), {"INITIAL_STEP s: x(N);" + std::string(end_step), "ACTION x:"});
+        body.emplace_back(end_action);
+        const SyntaxTree tree = parse_body(body);
+        EXPECT_EQ(count_nodes(tree, ast::NodeKind::action), 1U) << end_step << end_action;
+        EXPECT_EQ(count_nodes(tree, ast::NodeKind::assignment_statement), lines);
+    }
+}
+
+} // namespace
+} // namespace iecfront
