@@ -1114,7 +1114,9 @@ void Parser::parse_for_list(ast::ForStatement& loop) {
         expect_assign();
         loop.from = parse_expression();
     }
-    if (at(TokenKind::kw_do) || (at(TokenKind::semicolon) && peek() != TokenKind::kw_to)) {
+    const bool head_ends =
+        at(TokenKind::semicolon) && peek() != TokenKind::kw_to && !is_semicolon_for_to(at_);
+    if (at(TokenKind::kw_do) || head_ends) {
         report_missing(DiagnosticId::missing_token, {"`TO` with a last value"});
         loop.to = make_missing<ast::ErrorExpression>();
         return;
