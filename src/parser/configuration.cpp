@@ -94,6 +94,7 @@ const ast::ConfigurationDeclaration* Parser::parse_configuration_declaration() {
     return finish(node);
 }
 
+// configuration_name = identifier ;
 /// A keyword before the first element is the name, which would be missing otherwise.
 const ast::Identifier* Parser::parse_configuration_name() {
     static constexpr TokenSet elements =
@@ -106,6 +107,8 @@ const ast::Identifier* Parser::parse_configuration_name() {
 //                        { global_var_declarations }
 //                        single_resource_declaration
 //                        "END_RESOURCE" ;
+// resource_name = identifier ;
+// resource_type_name = identifier ;
 const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
     auto* node = make<ast::ResourceDeclaration>();
     open_block(TokenKind::kw_end_resource, advance());
@@ -150,6 +153,7 @@ bool Parser::at_end_of_configuration_elements(Place place) {
             unclosed(TokenKind::kw_end_resource) > 0);
 }
 
+/// Part of configuration_declaration, resource_declaration: one of what they hold, in any order.
 const ast::Node* Parser::parse_configuration_element(Place place) {
     if (at(block_openers) || at_declarations_without_opener())
         return parse_variable_declarations(place);
@@ -265,8 +269,7 @@ void Parser::check_configuration_order(const ast::List<ast::Node>& elements, std
 // ---- tasks --------------------------------------------------------------------------------------
 
 // task_configuration = "TASK" task_name task_initialization ;
-// task_initialization = "(" [ "SINGLE" ":=" data_source "," ] [ "INTERVAL" ":=" data_source "," ]
-//                       "PRIORITY" ":=" integer ")" ;
+// task_name = identifier ;
 const ast::TaskConfiguration* Parser::parse_task_configuration() {
     auto* node = make<ast::TaskConfiguration>();
     const std::size_t reports = diagnostics_.size();
@@ -304,6 +307,10 @@ std::size_t Parser::task_word(std::uint32_t token) const noexcept {
     return index;
 }
 
+// task_initialization = "(" [ "SINGLE" ":=" data_source "," ]
+//                       [ "INTERVAL" ":=" data_source "," ]
+//                       "PRIORITY" ":=" integer ")" ;
+/// One of the three parts; the parentheses belong to the task.
 const ast::TaskInitialization* Parser::parse_task_initialization() {
     auto* node = make<ast::TaskInitialization>();
     const std::size_t word = task_word(at_);
@@ -371,7 +378,8 @@ const ast::Expression* Parser::parse_data_sink() {
     return sink;
 }
 
-/// What sources and sinks have in common; expressions are an extension (6.1 D31).
+/// Part of data_source, prog_data_source, data_sink: what they have in common; expressions are an
+/// extension (6.1 D31).
 const ast::Expression* Parser::parse_connection_operand(std::string what, bool program_output) {
     if (at(TokenKind::direct_variable))
         return parse_direct_variable();
@@ -394,7 +402,8 @@ const ast::Expression* Parser::parse_connection_operand(std::string what, bool p
     return value;
 }
 
-/// A symbolic_variable outside bodies, where EN and ENO are keywords like any other (6.1 D24).
+// symbolic_variable = variable_name | multi_element_variable ;
+/// Outside bodies, where EN and ENO are keywords like any other (6.1 D24).
 const ast::Expression* Parser::parse_symbolic_variable() {
     if (at(execution_control))
         report_reserved_word(at_);
@@ -403,8 +412,7 @@ const ast::Expression* Parser::parse_symbolic_variable() {
 
 // global_var_reference = [ resource_name "." ] global_var_name [ "." structure_element_name ] ;
 // program_output_reference = program_name "." symbolic_variable ;
-//
-// Subscripts and longer paths are an extension otherwise (6.1 D32).
+/// Subscripts and longer paths are an extension otherwise (6.1 D32).
 void Parser::check_reference(const ast::Expression& path, std::string what, bool program_output) {
     const PathForm form = form_of(path);
     const bool global = !form.subscripts && form.names <= 3;
@@ -427,6 +435,8 @@ void Parser::check_symbolic_variable(const ast::Expression& path) {
 
 // program_configuration = "PROGRAM" [ "RETAIN" | "NON_RETAIN" ] program_name [ "WITH" task_name ]
 //                         ":" program_type_name [ "(" prog_conf_elements ")" ] ;
+// program_name = identifier ;
+// prog_conf_elements = prog_conf_element { "," prog_conf_element } ;
 const ast::ProgramConfiguration* Parser::parse_program_configuration() {
     auto* node = make<ast::ProgramConfiguration>();
     advance();
@@ -486,6 +496,7 @@ const ast::Node* Parser::parse_prog_conf_element() {
 // access_declaration = access_name ":" access_path ":" non_generic_type_name [ direction ] ;
 // program_access_decl = access_name ":" symbolic_variable ":" non_generic_type_name [ direction ] ;
 // direction = "READ_WRITE" | "READ_ONLY" ;
+// access_name = identifier ;
 const ast::AccessDeclaration* Parser::parse_access_declaration(Place place) {
     auto* node = make<ast::AccessDeclaration>();
     node->name = parse_declared_name("the name of an access path");
@@ -535,7 +546,7 @@ const ast::Expression* Parser::parse_access_path(Place place) {
     return path;
 }
 
-// resource_name "." direct_variable
+// Part of access_path: [ resource_name "." ] direct_variable
 const ast::Expression* Parser::parse_direct_variable_of_resource(Place place) {
     const ast::Expression* resource = parse_variable_name();
     auto* node = make_from<ast::StructuredVariable>(resource);

@@ -89,6 +89,7 @@ bool Parser::at_sign_apart_from_number() const noexcept {
            !adjoins_next() && after.contains(peek_second());
 }
 
+/// In place of constant: white space stands between sign and number.
 const ast::Expression* Parser::parse_constant_behind_gap() {
     const TextRange gap{token().end(), tokens_[next(at_)].offset()};
     report(DiagnosticId::sign_apart_from_number, gap).remove(gap);
@@ -103,7 +104,8 @@ bool Parser::is_faulty(const ast::Expression& expression, std::size_t reports) c
     return malformed || diagnostics_.size() != reports;
 }
 
-/// Where the standard has a `signed_integer` only: other numbers and expressions are an extension.
+/// Part of subrange, subrange_spec_init: where the standard has a `signed_integer` only. Other
+/// numbers and expressions are an extension.
 const ast::Expression* Parser::parse_constant_expression(std::string what) {
     if (at_sign_apart_from_number() && peek() == TokenKind::integer)
         return parse_constant_behind_gap();
@@ -134,7 +136,8 @@ void Parser::report_not_plain(const ast::Expression& expression, std::string wha
     report_node(expression, DiagnosticId::constant_expression, {std::move(what), found});
 }
 
-/// Where the standard has an unsigned `integer` only.
+// integer = digit { [ "_" ] digit } ;
+/// Other numbers and expressions are an extension.
 const ast::Expression* Parser::parse_integer(std::string what) {
     const bool sign = at(TokenKind::minus) || at(TokenKind::plus);
     const ast::Expression* expression = parse_constant_expression(what);

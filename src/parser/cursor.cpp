@@ -300,6 +300,8 @@ const ast::Identifier* Parser::make_missing_identifier(std::string what) {
     return make_missing<ast::Identifier>();
 }
 
+// identifier = ( letter | "_" ( letter | digit ) ) { [ "_" ] ( letter | digit ) } ;
+/// A name that is used.
 const ast::Identifier* Parser::parse_name(std::string what) {
     if (at(TokenKind::identifier)) {
         const ast::Identifier* name = make_identifier();
@@ -313,6 +315,7 @@ const ast::Identifier* Parser::parse_name(std::string what) {
     return make_missing_identifier(std::move(what));
 }
 
+/// Part of identifier: one that is declared.
 const ast::Identifier* Parser::parse_declared_name(std::string what) {
     // A keyword is taken for a name when what follows can only follow a name.
     static constexpr TokenSet after_name{TokenKind::colon,
@@ -334,6 +337,8 @@ const ast::Identifier* Parser::parse_declared_name(std::string what) {
     return name;
 }
 
+// function_name = standard_function_name | derived_function_name ;
+// function_block_type_name = standard_function_block_name | derived_function_block_name ;
 /// Annex C reserves the names of standard functions for calls, and those of standard function
 /// blocks for types. Once a unit: what follows the first report is the same mistake.
 void Parser::check_standard_name(TextRange range, std::uint32_t hash, NameUse use) {

@@ -100,6 +100,9 @@ bool is_formal(const ast::Node& argument) noexcept {
 
 } // namespace
 
+// comparison_operator = "<" | ">" | "<=" | ">=" ;
+// add_operator = "+" | "-" ;
+// multiply_operator = "*" | "/" | "MOD" ;
 unsigned Parser::operator_strength(TokenKind kind) noexcept {
     return operator_table[static_cast<std::size_t>(kind)].strength;
 }
@@ -122,7 +125,8 @@ const ast::Expression* Parser::parse_expression() {
     return parse_binary(weakest);
 }
 
-/// An expression where an assignment cannot stand: `:=` is taken for `=`.
+/// Part of if_statement, while_statement, repeat_statement, transition_condition,
+/// primary_expression: an expression where an assignment cannot stand; `:=` is taken for `=`.
 const ast::Expression* Parser::parse_condition() {
     const bool outer = std::exchange(in_condition_, true);
     const ast::Expression* condition = parse_expression();
@@ -141,7 +145,7 @@ const ast::Expression* Parser::parse_binary(unsigned minimum) {
     return parse_binary_rest(parse_unary(), minimum);
 }
 
-/// Precedence climbing over Table 55; all operators associate to the left.
+/// Part of expression: precedence climbing over Table 55; all operators associate to the left.
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
     for (;;) {
         if (at_shift() && minimum <= relation) {
@@ -183,7 +187,7 @@ bool Parser::at_shift() const noexcept {
     return (at(TokenKind::less) || at(TokenKind::greater)) && peek() == kind() && adjoins_next();
 }
 
-/// `a << 2`, which is written `SHL(a, 2)`.
+/// In place of expression: `a << 2`, which is written `SHL(a, 2)`.
 const ast::Expression* Parser::parse_shift(const ast::Expression* left) {
     auto* node = make_from<ast::ErrorExpression>(left);
     const TextRange range = token_range(at_, next(at_) + 1);
@@ -254,6 +258,7 @@ void Parser::accept_split_operator(TokenKind meant) {
 // unary_expression = [ unary_operator ] primary_expression
 //                  | "NOT" "(" ( variable_name | "EN" | "ENO" )
 //                    ( ":=" expression | "=>" variable ) { "," param_assignment } ")" ;
+// unary_operator = "-" | "NOT" ;
 const ast::Expression* Parser::parse_unary() {
     if (at_signed_number())
         return parse_constant();
@@ -383,6 +388,7 @@ bool Parser::statement_ends(std::uint32_t i) const noexcept {
     return false;
 }
 
+/// In place of expression: there is none.
 const ast::Expression* Parser::parse_missing_expression() {
     if (report_missing(DiagnosticId::missing_expression, {describe(at_)}) &&
         !token().first_on_line() && !at_end())
@@ -390,6 +396,7 @@ const ast::Expression* Parser::parse_missing_expression() {
     return make_missing<ast::ErrorExpression>();
 }
 
+/// In place of expression: passes over one that is nested too deep.
 const ast::Expression* Parser::parse_too_deep_expression() {
     auto* error = make<ast::ErrorExpression>();
     while (at(TokenKind::minus) || at(TokenKind::plus) || at(TokenKind::kw_not))
@@ -414,7 +421,7 @@ void Parser::report_conversion(std::uint32_t first, std::uint32_t end, TokenKind
             "`" + std::string(text_.substr(range.begin, range.size())) + "`"});
 }
 
-/// `(INT) x`, as other languages convert.
+/// In place of unary_expression: `(INT) x`, as other languages convert.
 const ast::Expression* Parser::parse_cast() {
     auto* cast = make<ast::ErrorExpression>();
     const std::uint32_t type = next(at_);
@@ -425,6 +432,7 @@ const ast::Expression* Parser::parse_cast() {
     return finish(cast);
 }
 
+// Part of primary_expression: "(" expression ")"
 const ast::Expression* Parser::parse_parenthesized() {
     const NestingGuard guard(*this);
     if (guard.too_deep())
@@ -442,7 +450,8 @@ const ast::Expression* Parser::parse_parenthesized() {
     return finish(node);
 }
 
-/// `AND(a, b)` and its like: an operator that stands for the function of its name (6.1 D25).
+/// Part of primary_expression: `AND(a, b)` and its like, an operator that stands for the function
+/// of its name (6.1 D25).
 const ast::Expression* Parser::parse_operator_call() {
     auto* name = make<ast::VariableName>();
     name->hash = hash_name(text(at_));
@@ -461,7 +470,7 @@ bool Parser::formal_list_follows() const noexcept {
 }
 
 // variable = direct_variable | symbolic_variable | "EN" | "ENO" ;
-// symbolic_variable = variable_name | multi_element_variable ;
+// multi_element_variable = array_variable | structured_variable ;
 const ast::Expression* Parser::parse_variable() {
     return parse_selectors(parse_variable_name());
 }
@@ -480,6 +489,9 @@ const ast::Expression* Parser::parse_variable_name() {
     return finish(name);
 }
 
+// array_variable = subscripted_variable subscript_list ;
+// subscripted_variable = variable_name { subscript_list | "." field_selector } ;
+// record_variable = variable_name { subscript_list | "." field_selector } ;
 /// What follows a variable's name: subscripts, fields, and the arguments of a call.
 const ast::Expression* Parser::parse_selectors(const ast::Expression* head) {
     for (;;) {
@@ -496,6 +508,7 @@ const ast::Expression* Parser::parse_selectors(const ast::Expression* head) {
 }
 
 // subscript_list = "[" subscript { "," subscript } "]" ;
+// subscript = expression ;
 const ast::Expression* Parser::parse_subscripts(const ast::Expression* head) {
     const NestingGuard guard(*this);
     if (guard.too_deep())
@@ -544,6 +557,7 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
     return finish(node);
 }
 
+// Part of primary_expression: "(" param_list ")"
 const ast::Expression* Parser::parse_call(const ast::Expression* callee) {
     const NestingGuard guard(*this);
     if (guard.too_deep())
@@ -709,12 +723,14 @@ bool Parser::lacks_assign(const ast::Node& value, std::uint32_t open) const {
     return false;
 }
 
+// Part of param_assignment: ( variable_name | "EN" | "ENO" )
 const ast::Identifier* Parser::parse_argument_name() {
     if (at(execution_control))
         return make_identifier();
     return parse_name("the name of a parameter");
 }
 
+/// Part of param_assignment: the variable behind `=>`.
 const ast::Expression* Parser::parse_output_variable() {
     if (at(TokenKind::direct_variable))
         return parse_direct_variable();

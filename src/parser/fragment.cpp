@@ -21,9 +21,9 @@ const char* name_of(FragmentKind kind) noexcept {
 
 } // namespace
 
-/// A piece of a program that stands alone. A body is read as it would be in a PROGRAM, where nearly
-/// all is allowed, and declarations as if they stood where they can; what is left over is reported
-/// once.
+/// In place of library: a piece of a program that stands alone. A body is read as it would be in a
+/// PROGRAM, where nearly all is allowed, and declarations as if they stood where they can; what is
+/// left over is reported once.
 const ast::LibraryUnit* Parser::parse_fragment(FragmentKind kind) {
     if (kind == FragmentKind::library)
         return parse_library_unit();
@@ -51,6 +51,7 @@ const ast::LibraryUnit* Parser::parse_fragment(FragmentKind kind) {
     return unit;
 }
 
+/// In place of library: what the fragment is said to be.
 void Parser::parse_elements_of_fragment(ListBuilder<ast::Node>& elements, FragmentKind kind) {
     switch (kind) {
     case FragmentKind::library: break; // not reached

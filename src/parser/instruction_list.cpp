@@ -210,7 +210,8 @@ const ast::IlInstruction* Parser::parse_il_instruction() {
     return finish(node);
 }
 
-/// label ":"
+// label = identifier ;
+/// With the `:` behind it.
 const ast::Identifier* Parser::parse_optional_label() {
     if (peek() != TokenKind::colon || begins_line(next(at_)))
         return nullptr;
@@ -302,6 +303,8 @@ void Parser::advance_operator() noexcept {
     advance();
 }
 
+// Part of il_instruction: [ il_simple_operation | il_expression | il_jump_operation | il_fb_call
+//     | il_formal_funct_call | il_return_operator ]
 const ast::IlOperation* Parser::parse_il_operation() {
     if (at_structured_text())
         return parse_structured_text_in_il();
@@ -345,7 +348,8 @@ bool Parser::at_structured_text() const noexcept {
            (variable && after_variable.contains(peek()) && !begins_line(next(at_)));
 }
 
-/// One report for a whole statement, and none for what stands in it.
+/// In place of il_instruction: a statement. One report for all of it, and none for what stands in
+/// it.
 const ast::IlOperation* Parser::parse_structured_text_in_il() {
     auto* error = make<ast::IlErrorOperation>();
     report_at(at_, DiagnosticId::statement_in_instruction_list);
@@ -363,6 +367,7 @@ const ast::IlOperation* Parser::parse_structured_text_in_il() {
     return finish(error);
 }
 
+/// In place of il_instruction: what begins no operation.
 const ast::IlOperation* Parser::parse_il_error_operation() {
     auto* error = make<ast::IlErrorOperation>();
     if (at(block_openers)) {
@@ -392,6 +397,9 @@ const ast::IlOperation* Parser::parse_il_error_operation() {
 // il_simple_operation = il_simple_operator il_operand | il_store_operator il_variable | "NOT"
 //                     | il_function_name [ il_operand_list ]
 //                     | il_expr_function il_operand "," il_operand_list ;
+// il_simple_operator = "LD" | "LDN" | il_expr_operator ;
+// il_store_operator = "ST" | "STN" | "S" | "R" | "S1" | "R1" | "CLK" | "CU" | "CD" | "PV"
+//                   | "IN" | "PT" ;
 const ast::IlOperation* Parser::parse_il_simple_operation(const IlOperatorRow& row) {
     auto* node = make<ast::IlSimpleOperation>();
     node->op = row.op;
@@ -421,7 +429,8 @@ const ast::IlOperation* Parser::parse_il_simple_operation(const IlOperatorRow& r
     return finish(node);
 }
 
-/// il_function_name [ il_operand_list ]
+// il_function_name = function_name ;
+// Part of il_simple_operation: il_function_name [ il_operand_list ]
 const ast::IlOperation* Parser::parse_il_function() {
     auto* node = make<ast::IlSimpleOperation>();
     node->function_name = make_identifier();
@@ -474,6 +483,7 @@ void Parser::check_variable(std::string_view writer, const ast::Expression& oper
 }
 
 // il_jump_operation = il_jump_operator label ;
+// il_jump_operator = "JMP" | "JMPC" | "JMPCN" ;
 const ast::IlOperation* Parser::parse_il_jump_operation(const IlOperatorRow& row) {
     auto* node = make<ast::IlJumpOperation>();
     node->modifier = row.modifier;
@@ -487,7 +497,7 @@ const ast::IlOperation* Parser::parse_il_jump_operation(const IlOperatorRow& row
     return finish(node);
 }
 
-/// il_return_operator
+// il_return_operator = "RET" | "RETC" | "RETCN" ;
 const ast::IlOperation* Parser::parse_il_return_operation(const IlOperatorRow& row) {
     auto* node = make<ast::IlReturnOperation>();
     node->modifier = row.modifier;
@@ -531,6 +541,9 @@ void Parser::close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing) 
 
 // il_expression = il_expr_operator "(" [ il_operand ] EOL { EOL }
 //                 [ simple_instr_list ] ")" ;
+// il_expr_operator = "AND" | "&" | "OR" | "XOR" | "ANDN" | "&N" | "ORN" | "XORN" | "ADD"
+//                  | "SUB" | "MUL" | "DIV" | "MOD" | "GT" | "GE" | "EQ" | "LT" | "LE"
+//                  | "NE" ;
 const ast::IlOperation* Parser::parse_il_expression(const IlOperatorRow& row) {
     const NestingGuard guard(*this);
     if (guard.too_deep())
@@ -560,7 +573,8 @@ const ast::IlOperation* Parser::parse_il_expression(const IlOperatorRow& row) {
     return finish(node);
 }
 
-/// Passes over an operation that is nested too deep, up to its closing parenthesis.
+/// In place of il_expression: passes over one that is nested too deep, up to its closing
+/// parenthesis.
 const ast::IlOperation* Parser::parse_too_deep_operation() {
     auto* error = make<ast::IlErrorOperation>();
     std::uint32_t depth = 0;
@@ -575,6 +589,8 @@ const ast::IlOperation* Parser::parse_too_deep_operation() {
 
 // il_formal_funct_call = ( il_function_name | il_expr_function )
 //                        "(" EOL { EOL } [ il_param_list ] ")" ;
+// il_expr_function = "AND" | "OR" | "XOR" | "ADD" | "SUB" | "MUL" | "DIV" | "MOD" | "GT"
+//                  | "GE" | "EQ" | "LT" | "LE" | "NE" ;
 const ast::IlOperation* Parser::parse_il_formal_funct_call() {
     const std::uint32_t word = advance();
     const std::uint32_t open = at_;
@@ -592,8 +608,8 @@ const ast::IlOperation* Parser::parse_il_formal_funct_call() {
     return finish(node);
 }
 
-/// `LIMIT(1, x, 5)`, which the standard does not have, from behind the parenthesis, or from behind
-/// the first operand.
+/// In place of il_formal_funct_call: `LIMIT(1, x, 5)`, which the standard does not have, from
+/// behind the parenthesis, or from behind the first operand.
 const ast::IlOperation* Parser::parse_operands_in_parentheses(const ast::Identifier* name,
                                                               std::uint32_t open,
                                                               const ast::Expression* first) {
@@ -609,6 +625,7 @@ const ast::IlOperation* Parser::parse_operands_in_parentheses(const ast::Identif
 
 // il_fb_call = il_call_operator fb_name
 //              [ "(" ( EOL { EOL } [ il_param_list ] | [ il_operand_list ] ) ")" ] ;
+// il_call_operator = "CAL" | "CALC" | "CALCN" ;
 const ast::IlOperation* Parser::parse_il_fb_call(const IlOperatorRow& row) {
     auto* node = make<ast::IlFbCall>();
     node->modifier = row.modifier;
@@ -705,6 +722,7 @@ bool Parser::parentheses_close_on_line() const noexcept {
 }
 
 // il_symbolic_variable = variable_name { il_subscript_list | "." field_selector } ;
+// il_variable = direct_variable | il_symbolic_variable | "EN" | "ENO" ;
 const ast::Expression* Parser::parse_il_variable() {
     const ast::Expression* variable = parse_variable_name();
     for (;;) {
@@ -730,6 +748,7 @@ const ast::Expression* Parser::parse_il_variable() {
 }
 
 // il_subscript = integer_literal | direct_variable | variable_name | "EN" | "ENO" ;
+// il_subscript_list = "[" il_subscript { "," il_subscript } "]" ;
 void Parser::check_il_subscripts(const ast::Expression& variable) {
     const auto* array = ast::as<ast::ArrayVariable>(&variable);
     if (array == nullptr)
@@ -766,7 +785,7 @@ bool Parser::accept_il_comma() {
     return accept(TokenKind::comma) || (!begins_instruction_on_line() && accept_missing_comma());
 }
 
-/// Behind a comma. A list that goes on in the next line is reported.
+/// Part of il_operand_list: behind a comma. A list that goes on in the next line is reported.
 const ast::Expression* Parser::parse_next_il_operand() {
     const std::uint32_t behind = next(at_);
     static constexpr TokenSet in_list{TokenKind::comma, TokenKind::right_parenthesis};
@@ -790,7 +809,8 @@ void Parser::report_line_end() {
 
 // ---- arguments ----------------------------------------------------------------------------------
 
-/// Non-formal arguments in parentheses, from behind the `(` or the first of them.
+/// Part of il_fb_call: non-formal arguments in parentheses, from behind the `(` or the first of
+/// them.
 ast::List<ast::Node> Parser::parse_il_arguments(std::uint32_t open, const ast::Expression* first) {
     ListBuilder<ast::Node> arguments(*this);
     const auto add = [&](const ast::Expression* value) {
@@ -909,6 +929,7 @@ void Parser::expect_end_of_argument(MissingLineEnds& missing, bool closed) {
 
 // il_param_assignment = il_assign_operator
 //                       ( il_operand | "(" EOL { EOL } simple_instr_list ")" ) ;
+// il_assign_operator = ( variable_name | "EN" | "ENO" ) ":=" ;
 const ast::Node* Parser::parse_il_argument() {
     const bool negated = at(TokenKind::kw_not);
     if ((negated ? peek_second() : peek()) == TokenKind::output_arrow)
@@ -936,6 +957,7 @@ const ast::Node* Parser::parse_il_argument() {
     return finish(node);
 }
 
+// Part of il_assign_operator: ( variable_name | "EN" | "ENO" )
 const ast::Identifier* Parser::parse_il_argument_name() {
     if (at(execution_control))
         return make_identifier();
@@ -943,6 +965,7 @@ const ast::Identifier* Parser::parse_il_argument_name() {
 }
 
 // il_param_out_assignment = il_assign_out_operator il_variable ;
+// il_assign_out_operator = [ "NOT" ] ( variable_name | "EN" | "ENO" ) "=>" ;
 const ast::Node* Parser::parse_il_output_argument() {
     auto* node = make<ast::OutputArgument>();
     node->negated = accept(TokenKind::kw_not);
@@ -960,7 +983,7 @@ const ast::Node* Parser::parse_il_output_argument() {
     return finish(node);
 }
 
-/// "(" EOL { EOL } simple_instr_list ")"
+// Part of il_param_assignment: "(" EOL { EOL } simple_instr_list ")"
 const ast::Node* Parser::parse_il_argument_list() {
     const NestingGuard guard(*this);
     if (guard.too_deep()) {

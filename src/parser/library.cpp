@@ -112,8 +112,8 @@ void Parser::skip_stray_text(ListBuilder<ast::Node>& elements, std::uint32_t end
     elements.add(finish(skipped));
 }
 
-/// What stands before the opener: declarations whose own opening words are misspelt, or text that
-/// belongs to nothing.
+/// In place of library_element_declaration: what stands before the opener, which is declarations
+/// whose own opening words are misspelt, or text that belongs to nothing.
 void Parser::parse_misspelt_elements(ListBuilder<ast::Node>& elements) {
     for (;;) {
         const std::uint32_t begin = find_misspelt_opener();

@@ -29,8 +29,9 @@ enum class BodyLanguage : std::uint8_t {
     sequential_function_chart
 };
 
-/// The recursive-descent parser of one unit. One function parses one production and has it as its
-/// comment; the functions stand in one source file per chapter of Annex B.
+/// The recursive-descent parser of one unit. A production is the comment of the function that reads
+/// it; other parse functions say which one they read a part of, or what in its place. The functions
+/// stand in one source file per chapter of Annex B.
 ///
 /// Four contracts:
 ///   parse_x            called where an x must stand; always gives a node

@@ -39,6 +39,9 @@ bool Parser::at_type_before_name() const noexcept {
             tokens_[behind].kind() == TokenKind::left_parenthesis);
 }
 
+// derived_function_name = identifier ;
+// derived_function_block_name = identifier ;
+// program_type_name = identifier ;
 /// The name may stand on the next line, but what begins a statement there is none.
 const ast::Identifier* Parser::parse_unit_name(std::string what) {
     accept_foreign_modifiers();
@@ -79,7 +82,7 @@ void Parser::skip_parameters() {
         reported_at_ = at_; // the rest of the head may be among them
 }
 
-// ":" ( elementary_type_name | derived_type_name )
+// Part of function_declaration: ":" ( elementary_type_name | derived_type_name )
 const ast::TypeSpecification* Parser::parse_result_type() {
     const bool without = !at(TokenKind::colon) && (at(block_openers) || token().first_on_line());
     if (without) {
@@ -181,6 +184,10 @@ const ast::ProgramDeclaration* Parser::parse_program_declaration() {
     return finish(node);
 }
 
+// io_var_declarations = input_declarations | output_declarations | input_output_declarations ;
+// other_var_declarations = external_var_declarations | var_declarations
+//                        | retentive_var_declarations | non_retentive_var_decls
+//                        | temp_var_decls | incompl_located_var_declarations ;
 ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place place) {
     ListBuilder<ast::VariableDeclarations> blocks(*this);
     for (;;) {
@@ -220,8 +227,8 @@ const ast::Body* Parser::parse_body() {
     return parse_statement_list("in a body");
 }
 
-/// Nothing at all between declarations and closing word: with a line end there it is an instruction
-/// list of one empty line, without one it is no body.
+/// In place of function_block_body: nothing at all between declarations and closing word. With a
+/// line end there it is an instruction list of one empty line, without one it is no body.
 const ast::Body* Parser::parse_empty_body() {
     auto* body = make<ast::InstructionList>();
     end_ = at_;

@@ -88,6 +88,7 @@ bool Parser::at_end_of_chart() {
             tokens_[innermost.opener].first_on_line() && column(at_) <= column(innermost.opener));
 }
 
+// Part of sfc_network: ( initial_step | step | transition | action )
 const ast::Node* Parser::parse_chart_element(TokenKind opener) {
     switch (opener) {
     case TokenKind::kw_initial_step:
@@ -236,6 +237,7 @@ void Parser::expect_colon_of_chart() {
 
 // initial_step = "INITIAL_STEP" step_name ":" { action_association ";" } "END_STEP" ;
 // step = "STEP" step_name ":" { action_association ";" } "END_STEP" ;
+// step_name = identifier ;
 const ast::Step* Parser::parse_step(TokenKind opener) {
     auto* step = make<ast::Step>();
     step->initial = opener == TokenKind::kw_initial_step;
@@ -249,7 +251,7 @@ const ast::Step* Parser::parse_step(TokenKind opener) {
     return step;
 }
 
-// { action_association ";" }
+// Part of step: { action_association ";" }
 ast::List<ast::ActionAssociation> Parser::parse_action_associations() {
     ListBuilder<ast::ActionAssociation> associations(*this);
     while (!at_end_of_chart_element()) {
@@ -381,7 +383,7 @@ void Parser::report_unknown_qualifier() {
         unknown.replace(token().range(), std::string(meant));
 }
 
-// "," action_time
+// Part of action_qualifier: "," action_time
 const ast::Expression* Parser::parse_time_of_qualifier() {
     if (accept(TokenKind::comma))
         return parse_action_time();
@@ -405,7 +407,8 @@ const ast::Expression* Parser::parse_indicator() {
     return parse_parameter_of_action("an indicator");
 }
 
-/// A simple name (6.1 D27); a part of a variable, or an expression, is an extension.
+/// Part of action_time, indicator_name: a simple name (6.1 D27); a part of a variable, or an
+/// expression, is an extension.
 const ast::Expression* Parser::parse_parameter_of_action(std::string what) {
     const std::size_t reports = diagnostics_.size();
     const std::uint32_t first = at_;
@@ -454,6 +457,7 @@ const ast::Transition* Parser::parse_transition() {
     return node;
 }
 
+// transition_name = identifier ;
 /// A name with TO behind it is a step, and FROM is missing before it.
 const ast::Identifier* Parser::parse_optional_transition_name() {
     static constexpr TokenSet behind_step{TokenKind::kw_to, TokenKind::comma};
@@ -480,7 +484,7 @@ bool Parser::begins_priority(std::uint32_t index) const noexcept {
            is_misspelling(text(index), "PRIORITY");
 }
 
-// [ "(" "PRIORITY" ":=" integer ")" ]
+// Part of transition: [ "(" "PRIORITY" ":=" integer ")" ]
 const ast::Expression* Parser::parse_optional_priority() {
     const bool parenthesis = at(TokenKind::left_parenthesis) &&
                              (peek() == TokenKind::integer || peek_second() == TokenKind::assign ||
@@ -527,7 +531,8 @@ void Parser::report_missing_parentheses(std::uint32_t first, std::string_view ar
           {{previous_end(), previous_end()}, ")"}}});
 }
 
-// "FROM" steps, "TO" steps
+// Part of transition: "FROM" steps "TO" steps
+/// One of the two.
 const ast::Steps* Parser::parse_steps_behind(TokenKind word) {
     static constexpr TokenSet condition{TokenKind::assign, TokenKind::equal, TokenKind::colon,
                                         TokenKind::semicolon};
@@ -691,6 +696,7 @@ void Parser::skip_rest_of_transition() {
 // ---- actions ------------------------------------------------------------------------------------
 
 // action = "ACTION" action_name ":" function_block_body "END_ACTION" ;
+// action_name = identifier ;
 const ast::Action* Parser::parse_action() {
     auto* node = make<ast::Action>();
     open_chart_element(TokenKind::kw_action);
@@ -704,7 +710,7 @@ const ast::Action* Parser::parse_action() {
     return node;
 }
 
-/// Passes over the body of an action that is nested too deep.
+/// In place of function_block_body: passes over the body of an action that is nested too deep.
 const ast::Body* Parser::parse_too_deep_body() {
     auto* body = make<ast::StatementList>();
     std::uint32_t depth = 0;

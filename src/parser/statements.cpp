@@ -35,6 +35,8 @@ void Parser::check_not_empty(const ast::StatementList& list, std::string_view wh
             .insert(previous_end(), " ;");
 }
 
+// Part of statement_list: { statement ";" }
+/// All statements of a list.
 void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
     while (!at_end_of_statements()) {
         const bool if_part = at(TokenKind::kw_else) || at(TokenKind::kw_elsif);
@@ -314,6 +316,8 @@ bool Parser::at_condition_behind_statement() {
 
 // statement = NIL | assignment_statement | subprogram_control_statement | selection_statement
 //           | iteration_statement ;
+// selection_statement = if_statement | case_statement ;
+// iteration_statement = for_statement | while_statement | repeat_statement | exit_statement ;
 const ast::Statement* Parser::parse_statement() {
     const bool name_of_keyword = at_keyword_for_variable();
     const TokenKind opener = at(block_statements) ? kind() : missing_opener();
@@ -402,6 +406,7 @@ bool Parser::at_statement_label() const noexcept {
            tokens_[next(third)].kind() == TokenKind::assign;
 }
 
+/// In place of statement: a block of variables.
 const ast::Statement* Parser::parse_misplaced_declarations() {
     auto* error = make<ast::ErrorStatement>();
     report_at(at_, DiagnosticId::declaration_after_body);
@@ -409,7 +414,7 @@ const ast::Statement* Parser::parse_misplaced_declarations() {
     return finish(error);
 }
 
-/// Passes over a statement that is nested too deep, up to its closing word.
+/// In place of statement: passes over one that is nested too deep, up to its closing word.
 const ast::Statement* Parser::parse_too_deep_statement() {
     auto* error = make<ast::ErrorStatement>();
     std::uint32_t depth = 0;
@@ -439,7 +444,8 @@ const ast::Statement* Parser::parse_word_statement() {
     return finish(node);
 }
 
-/// What begins with a variable: an assignment or the invocation of a function block.
+/// Part of statement: what begins with a variable, which is an assignment or the invocation of a
+/// function block.
 const ast::Statement* Parser::parse_simple_statement() {
     const std::size_t reports = diagnostics_.size();
     const bool variable = at(TokenKind::identifier) || at_operand_keyword() ||
@@ -538,7 +544,7 @@ bool Parser::at_compound_assignment() const noexcept {
             (peek_second() == TokenKind::semicolon || tokens_[next(second)].first_on_line()));
 }
 
-/// `x += 1` or `x++`, which is written `x := x + 1`.
+/// In place of assignment_statement: `x += 1` or `x++`, which is written `x := x + 1`.
 const ast::Statement* Parser::parse_compound_assignment(const ast::Expression* variable) {
     auto* node = make_from<ast::AssignmentStatement>(variable);
     const TextRange name = token_range(variable->first_token, variable->end_token);
@@ -563,7 +569,7 @@ bool Parser::at_prefix_increment() const noexcept {
            peek_second() == TokenKind::identifier;
 }
 
-/// `++x`, which is written `x := x + 1`.
+/// In place of assignment_statement: `++x`, which is written `x := x + 1`.
 const ast::Statement* Parser::parse_prefix_increment() {
     auto* node = make<ast::AssignmentStatement>();
     const std::string sign(text(at_));
@@ -673,8 +679,7 @@ const ast::Statement* Parser::parse_if_statement() {
     return parse_if_rest(node);
 }
 
-// { "ELSIF" expression "THEN" statement_list }
-// [ "ELSE" statement_list ]
+// Part of if_statement: { "ELSIF" expression "THEN" statement_list } [ "ELSE" statement_list ]
 // "END_IF"
 const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
     ListBuilder<ast::ElsifClause> clauses(*this);
@@ -694,7 +699,7 @@ const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
     return finish(node);
 }
 
-/// At ELSE or ELSIF outside of IF, when an END_IF waits for it.
+/// In place of if_statement: at ELSE or ELSIF outside of IF, when an END_IF waits for it.
 const ast::Statement* Parser::parse_if_without_head() {
     auto* node = make<ast::IfStatement>();
     if (!report_missing_head(TokenKind::kw_end_if))
@@ -706,7 +711,7 @@ const ast::Statement* Parser::parse_if_without_head() {
     return parse_if_rest(node);
 }
 
-// [ "ELSE" statement_list ]
+// Part of if_statement, case_statement: [ "ELSE" statement_list ]
 const ast::StatementList* Parser::parse_else_list() {
     if (!accept(TokenKind::kw_else))
         accept_misspelt(TokenKind::kw_else);
@@ -762,7 +767,7 @@ TokenKind Parser::missing_opener() {
     return repeat ? TokenKind::kw_repeat : TokenKind::end_of_unit;
 }
 
-// "ELSIF" expression "THEN" statement_list
+// Part of if_statement: "ELSIF" expression "THEN" statement_list
 const ast::ElsifClause* Parser::parse_elsif_clause() {
     auto* clause = make<ast::ElsifClause>();
     bool given = true;
@@ -848,9 +853,7 @@ const ast::Statement* Parser::parse_case_statement() {
     return parse_case_rest(node);
 }
 
-// case_element { case_element }
-// [ "ELSE" statement_list ]
-// "END_CASE"
+// Part of case_statement: case_element { case_element } [ "ELSE" statement_list ] "END_CASE"
 const ast::Statement* Parser::parse_case_rest(ast::CaseStatement* node) {
     ListBuilder<ast::CaseElement> elements(*this);
     do {
@@ -882,7 +885,8 @@ void Parser::accept_repeated_case() {
     advance();
 }
 
-/// At a label outside of CASE, when an END_CASE waits for it: the head of the statement is missing.
+/// In place of case_statement: at a label outside of CASE, when an END_CASE waits for it. The head
+/// of the statement is missing.
 const ast::Statement* Parser::parse_case_without_head() {
     const std::uint32_t offset = token().offset();
     report(DiagnosticId::missing_token, {offset, offset}, {"`CASE` with a selector and `OF`"});
@@ -940,7 +944,8 @@ bool Parser::at_label_in_parentheses() const noexcept {
     return false;
 }
 
-/// After ELSE the branches of a CASE are over. The label is passed over, what follows is read.
+/// In place of statement: after ELSE the branches of a CASE are over. The label is passed over,
+/// what follows is read.
 const ast::Statement* Parser::parse_label_after_else() {
     auto* error = make<ast::ErrorStatement>();
     report_unexpected("a statement or `END_CASE`");
@@ -993,6 +998,8 @@ const ast::Node* Parser::parse_case_label() {
     return finish(range);
 }
 
+// Part of case_list_element: subrange | signed_integer
+/// A bound of the subrange, or the integer.
 const ast::Expression* Parser::parse_constant_label() {
     const bool apart = (at(TokenKind::minus) || at(TokenKind::plus)) &&
                        peek() == TokenKind::integer && !adjoins_next();
@@ -1025,7 +1032,6 @@ const ast::Expression* Parser::parse_constant_label() {
 
 // for_statement = "FOR" control_variable ":=" for_list "DO" statement_list "END_FOR" ;
 // control_variable = identifier ;
-// for_list = expression "TO" expression [ "BY" expression ] ;
 const ast::Statement* Parser::parse_for_statement() {
     auto* node = make<ast::ForStatement>();
     open_statement(TokenKind::kw_for, TokenKind::kw_end_for);
@@ -1061,6 +1067,7 @@ const ast::Statement* Parser::parse_for_statement() {
     return parse_loop(node);
 }
 
+// Part of for_statement: statement_list "END_FOR"
 const ast::Statement* Parser::parse_loop(ast::ForStatement* node) {
     node->statements = parse_statement_list("after DO");
     close_block(";");
@@ -1101,7 +1108,8 @@ void Parser::skip_loop_head(ast::ForStatement& loop) {
     accept(TokenKind::kw_do);
 }
 
-// ":=" expression "TO" expression [ "BY" expression ]
+// for_list = expression "TO" expression [ "BY" expression ] ;
+/// With the `:=` before it.
 void Parser::parse_for_list(ast::ForStatement& loop) {
     std::optional<Report> in;
     if (at_word("IN") && find_on_line(TokenKind::dot_dot) < count_) {
@@ -1207,7 +1215,7 @@ const ast::Statement* Parser::parse_repeat_statement() {
     return finish(node);
 }
 
-/// `END_REPEAT UNTIL condition`
+/// In place of repeat_statement: `END_REPEAT UNTIL condition`.
 const ast::Statement* Parser::parse_until_behind_closer(ast::RepeatStatement* node) {
     const TextRange closer = token().range();
     const std::string words(text(at_));

@@ -51,7 +51,8 @@ void Parser::report_empty_block(std::uint32_t opener) {
         report(DiagnosticId::empty_block, tokens_[opener].range(), {std::string(text(opener))});
 }
 
-/// Passes over what cannot begin a declaration, up to the next one.
+/// In place of type_declaration, var_init_decl, structure_element_declaration: passes over what
+/// cannot begin a declaration, up to the next one.
 const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string what) {
     auto* error = make<ast::ErrorDeclaration>();
     if (at(TokenKind::semicolon)) {
@@ -67,6 +68,16 @@ const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string what) {
 
 // type_declaration = single_element_type_declaration | array_type_declaration
 //                  | structure_type_declaration | string_type_declaration ;
+// single_element_type_declaration = simple_type_declaration | subrange_type_declaration
+//                                 | enumerated_type_declaration ;
+// simple_type_declaration = simple_type_name ":" simple_spec_init ;
+// subrange_type_declaration = subrange_type_name ":" subrange_spec_init ;
+// enumerated_type_declaration = enumerated_type_name ":" enumerated_spec_init ;
+// array_type_declaration = array_type_name ":" array_spec_init ;
+// structure_type_declaration = structure_type_name ":" structure_specification ;
+// structure_specification = structure_declaration | initialized_structure ;
+// string_type_declaration = string_type_name ":" ( "STRING" | "WSTRING" )
+//                           [ "[" integer "]" ] [ ":=" character_string ] ;
 const ast::Node* Parser::parse_type_declaration() {
     if (at(TokenKind::kw_struct) && peek() == TokenKind::identifier)
         return parse_struct_before_name();
@@ -89,7 +100,7 @@ const ast::Node* Parser::parse_type_declaration() {
     return node;
 }
 
-/// `STRUCT S ... END_STRUCT`, which is meant to be `S : STRUCT ... END_STRUCT`.
+/// In place of structure_type_declaration: `STRUCT S`, which is meant to be `S : STRUCT`.
 const ast::TypeDeclaration* Parser::parse_struct_before_name() {
     auto* node = make<ast::TypeDeclaration>();
     const std::uint32_t opener = advance();
@@ -145,8 +156,14 @@ bool Parser::colon_follows_on_line() const noexcept {
 
 // ---- specifications -----------------------------------------------------------------------------
 
-/// simple_specification | subrange_specification | enumerated_specification | array_specification
-/// | structure_declaration | single_byte_string_spec | double_byte_string_spec
+// simple_specification = elementary_type_name | simple_type_name | string_type_name ;
+// var_spec = simple_specification | subrange_specification
+//          | enumerated_specification | array_specification
+//          | structure_type_name
+//          | "STRING" [ "[" integer "]" ]
+//          | "WSTRING" [ "[" integer "]" ] ;
+// non_generic_type_name = elementary_type_name | derived_type_name ;
+/// Whatever stands behind the `:` of a declaration.
 const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use) {
     switch (kind()) {
     case TokenKind::identifier: return parse_derived_type();
@@ -173,6 +190,13 @@ const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use)
 
 // derived_type_name = single_element_type_name | array_type_name | structure_type_name
 //                   | string_type_name ;
+// single_element_type_name = simple_type_name | subrange_type_name | enumerated_type_name ;
+// simple_type_name = identifier ;
+// subrange_type_name = identifier ;
+// enumerated_type_name = identifier ;
+// array_type_name = identifier ;
+// structure_type_name = identifier ;
+// string_type_name = identifier ;
 const ast::TypeSpecification* Parser::parse_type_name() {
     auto* node = make<ast::DerivedTypeName>();
     node->hash = hash_name(text(at_));
@@ -181,6 +205,7 @@ const ast::TypeSpecification* Parser::parse_type_name() {
     return finish(node);
 }
 
+/// Part of simple_specification, subrange_specification: what begins with the name of a type.
 const ast::TypeSpecification* Parser::parse_derived_type() {
     if (at_pointer_type())
         return parse_pointer_type();
@@ -211,6 +236,7 @@ bool Parser::at_pointer_type() const noexcept {
            ((at_word("POINTER") || at_word("REFERENCE")) && peek() == TokenKind::kw_to);
 }
 
+/// In place of simple_specification: a pointer of other dialects.
 const ast::TypeSpecification* Parser::parse_pointer_type() {
     const NestingGuard guard(*this);
     if (guard.too_deep())
@@ -225,6 +251,13 @@ const ast::TypeSpecification* Parser::parse_pointer_type() {
 
 // elementary_type_name = numeric_type_name | date_type_name | bit_string_type_name
 //                      | "STRING" | "WSTRING" | "TIME" ;
+// numeric_type_name = integer_type_name | real_type_name ;
+// integer_type_name = signed_integer_type_name | unsigned_integer_type_name ;
+// signed_integer_type_name = "SINT" | "INT" | "DINT" | "LINT" ;
+// unsigned_integer_type_name = "USINT" | "UINT" | "UDINT" | "ULINT" ;
+// real_type_name = "REAL" | "LREAL" ;
+// date_type_name = "DATE" | "TIME_OF_DAY" | "TOD" | "DATE_AND_TIME" | "DT" ;
+// bit_string_type_name = "BOOL" | "BYTE" | "WORD" | "DWORD" | "LWORD" ;
 const ast::TypeSpecification* Parser::parse_elementary_type() {
     const TokenKind type = kind();
     if (is_generic_type_name(type))
@@ -375,7 +408,7 @@ const ast::TypeSpecification* Parser::parse_enumerated_specification() {
     return finish(node);
 }
 
-// "(" enumerated_value { "," enumerated_value } ")"
+// Part of enumerated_specification: "(" enumerated_value { "," enumerated_value } ")"
 ast::List<ast::EnumeratedValueDeclaration> Parser::parse_enumerated_value_list() {
     advance();
     ListBuilder<ast::EnumeratedValueDeclaration> values(*this);
@@ -391,7 +424,8 @@ ast::List<ast::EnumeratedValueDeclaration> Parser::parse_enumerated_value_list()
     return values.finish();
 }
 
-/// `INT (Red, Green)`: an enumeration with its base type before it, an extension.
+/// In place of enumerated_specification: `INT (Red, Green)`, with the base type before it, an
+/// extension.
 const ast::TypeSpecification* Parser::parse_enumeration_of(const ast::TypeSpecification* base) {
     auto* node = make_from<ast::EnumeratedSpecification>(base);
     report_node(*base, DiagnosticId::enumeration_base_type);
@@ -400,7 +434,7 @@ const ast::TypeSpecification* Parser::parse_enumeration_of(const ast::TypeSpecif
     return finish(node);
 }
 
-// enumerated_value = [ enumerated_type_name "#" ] identifier ;
+/// Part of enumerated_specification: an enumerated_value that is declared.
 const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaration() {
     auto* node = make<ast::EnumeratedValueDeclaration>();
     if (at(TokenKind::enumerated_value)) {
@@ -454,7 +488,7 @@ const ast::TypeSpecification* Parser::parse_array_specification() {
     return finish(node);
 }
 
-// "[" subrange { "," subrange } "]"
+// Part of array_specification: "[" subrange { "," subrange } "]"
 ast::List<ast::Subrange> Parser::parse_subranges() {
     const std::optional<Report> parentheses = accept_parenthesis_for_bracket();
     if (!parentheses)
@@ -530,6 +564,7 @@ void Parser::check_element_type(const ast::TypeSpecification& type) {
     report_node(type, DiagnosticId::element_type, {what});
 }
 
+/// In place of array_specification, structure_declaration: passes over one that is nested too deep.
 const ast::TypeSpecification* Parser::parse_too_deep_type() {
     auto* error = make<ast::ErrorType>();
     const bool structure = accept(TokenKind::kw_struct);
@@ -562,7 +597,8 @@ const ast::TypeSpecification* Parser::parse_structure_declaration() {
     return finish(node);
 }
 
-/// The elements of the structure that the token `opener` opens, and its closing word.
+/// Part of structure_declaration: the elements of the structure that the token `opener` opens, and
+/// its closing word.
 void Parser::parse_structure_elements(ast::StructureDeclaration& structure, std::uint32_t opener) {
     open_block(TokenKind::kw_end_struct, opener);
     ListBuilder<ast::Node> elements(*this);
@@ -577,6 +613,7 @@ void Parser::parse_structure_elements(ast::StructureDeclaration& structure, std:
 // structure_element_declaration = structure_element_name ":"
 //     ( simple_spec_init | subrange_spec_init | enumerated_spec_init | array_spec_init
 //     | initialized_structure | single_byte_string_spec | double_byte_string_spec ) ;
+// structure_element_name = identifier ;
 const ast::Node* Parser::parse_structure_element_declaration() {
     if (!at(TokenKind::identifier) && !at_declaration_start())
         return parse_error_declaration("the declaration of a structure element");
@@ -604,6 +641,8 @@ const ast::Node* Parser::parse_structure_element_declaration() {
 
 // ---- initial values -----------------------------------------------------------------------------
 
+/// Part of simple_spec_init, subrange_spec_init, enumerated_spec_init, array_spec_init,
+/// initialized_structure: the `:=` and what stands behind it.
 const ast::Expression* Parser::parse_optional_initial_value() {
     if (at(TokenKind::equal) || (at(TokenKind::colon) && peek() == TokenKind::equal))
         expect_assign();
@@ -612,7 +651,10 @@ const ast::Expression* Parser::parse_optional_initial_value() {
     return parse_initial_value();
 }
 
-/// constant | enumerated_value | array_initialization | structure_initialization
+// array_initial_element = constant | enumerated_value | structure_initialization
+//                       | array_initialization ;
+/// The same stands behind the `:=` of every declaration; what fits which type is checked
+/// afterwards.
 const ast::Expression* Parser::parse_initial_value() {
     if (at(TokenKind::left_bracket))
         return parse_array_initialization();
@@ -692,6 +734,11 @@ TokenKind Parser::separator_in_parentheses() const noexcept {
     return found;
 }
 
+// simple_spec_init = simple_specification [ ":=" constant ] ;
+// subrange_spec_init = subrange_specification [ ":=" signed_integer ] ;
+// enumerated_spec_init = enumerated_specification [ ":=" enumerated_value ] ;
+// array_spec_init = array_specification [ ":=" array_initialization ] ;
+// initialized_structure = structure_type_name [ ":=" structure_initialization ] ;
 /// What each kind of specification takes; of a type's name it is not known here.
 void Parser::check_initial_value(const ast::TypeSpecification& type, const ast::Expression* value) {
     if (value == nullptr || value->missing || is_faulty(*value, diagnostics_.size()))
@@ -745,6 +792,7 @@ const ast::Expression* Parser::as_enumerated_value(const ast::Expression& name) 
     return node;
 }
 
+// enumerated_value = [ enumerated_type_name "#" ] identifier ;
 const ast::Expression* Parser::parse_enumerated_value() {
     auto* node = make<ast::EnumeratedValue>();
     node->hash = hash_name(split_enumerated_value(text(at_)).value);

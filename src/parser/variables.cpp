@@ -116,11 +116,33 @@ bool Parser::at_declarations_without_opener() {
 
 // ---- blocks -------------------------------------------------------------------------------------
 
-/// input_declarations, output_declarations, input_output_declarations, var_declarations,
-/// retentive_var_declarations, non_retentive_var_decls, located_var_declarations,
-/// incompl_located_var_declarations, temp_var_decls, external_var_declarations,
-/// global_var_declarations, access_declarations, program_access_decls,
-/// instance_specific_initializations: they differ in their word and in what is checked afterwards.
+// input_declarations = "VAR_INPUT" [ "RETAIN" | "NON_RETAIN" ]
+//                      input_declaration ";" { input_declaration ";" } "END_VAR" ;
+// output_declarations = "VAR_OUTPUT" [ "RETAIN" | "NON_RETAIN" ]
+//                       ( var_init_decl | "ENO" ":" simple_spec_init ) ";"
+//                       { ( var_init_decl | "ENO" ":" simple_spec_init ) ";" }
+//                       "END_VAR" ;
+// input_output_declarations = "VAR_IN_OUT" var_declaration ";" { var_declaration ";" } "END_VAR" ;
+// var_declarations = "VAR" [ "CONSTANT" ] var_init_decl ";" { var_init_decl ";" } "END_VAR" ;
+// retentive_var_declarations = "VAR" "RETAIN" var_init_decl ";" { var_init_decl ";" } "END_VAR" ;
+// non_retentive_var_decls = "VAR" "NON_RETAIN" var_init_decl ";" { var_init_decl ";" } "END_VAR" ;
+// function_var_decls = "VAR" [ "CONSTANT" ] var2_init_decl ";" { var2_init_decl ";" } "END_VAR" ;
+// located_var_declarations = "VAR" [ "CONSTANT" | "RETAIN" | "NON_RETAIN" ]
+//                            located_var_decl ";" { located_var_decl ";" } "END_VAR" ;
+// incompl_located_var_declarations = "VAR" [ "RETAIN" | "NON_RETAIN" ]
+//                                    incompl_located_var_decl ";"
+//                                    { incompl_located_var_decl ";" } "END_VAR" ;
+// temp_var_decls = "VAR_TEMP" temp_var_decl ";" { temp_var_decl ";" } "END_VAR" ;
+// external_var_declarations = "VAR_EXTERNAL" [ "CONSTANT" ] external_declaration ";"
+//                             { external_declaration ";" } "END_VAR" ;
+// global_var_declarations = "VAR_GLOBAL" [ "CONSTANT" | "RETAIN" | "NON_RETAIN" ]
+//                           global_var_decl ";" { global_var_decl ";" } "END_VAR" ;
+// program_access_decls = "VAR_ACCESS" program_access_decl ";" { program_access_decl ";" }
+//                        "END_VAR" ;
+// access_declarations = "VAR_ACCESS" access_declaration ";" { access_declaration ";" } "END_VAR" ;
+// instance_specific_initializations = "VAR_CONFIG" instance_specific_init ";"
+//                                     { instance_specific_init ";" } "END_VAR" ;
+/// They differ in their word and in what is checked afterwards.
 const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place) {
     auto* node = make<ast::VariableDeclarations>();
     const std::uint32_t opener = at_;
@@ -148,7 +170,8 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     return node;
 }
 
-/// The opening word and its qualifier, or what stands for them.
+/// Part of var_declarations: the opening word of any block and its qualifier, or what stands for
+/// them.
 void Parser::parse_block_head(ast::VariableDeclarations& block, Place place) {
     if (at(block_openers)) {
         block.block = block_of(accept_split_block_opener());
@@ -224,7 +247,7 @@ TokenKind Parser::accept_split_block_opener() {
     return kind();
 }
 
-// [ "CONSTANT" | "RETAIN" | "NON_RETAIN" ]
+// Part of located_var_declarations: [ "CONSTANT" | "RETAIN" | "NON_RETAIN" ]
 ast::BlockQualifier Parser::parse_block_qualifiers() {
     BlockQualifier qualifier = BlockQualifier::none;
     for (;;) {
@@ -318,6 +341,7 @@ void Parser::check_qualifier(const ast::VariableDeclarations& block, std::uint32
 
 // ---- declarations -------------------------------------------------------------------------------
 
+/// Part of var_declarations: any one declaration in a block.
 const ast::Node* Parser::parse_declaration(const ast::VariableDeclarations& block, Place place) {
     if (block.block == VariableBlock::var_access)
         return parse_access_declaration(place);
@@ -347,9 +371,41 @@ void Parser::accept_qualifier_of_declaration(const ast::VariableDeclarations& bl
     advance();
 }
 
-/// var_init_decl, located_var_decl, external_declaration, global_var_decl, temp_var_decl,
-/// var_declaration, edge_declaration, incompl_located_var_decl:
-///     [ names ] [ location ] ":" specification [ edge ] [ ":=" initial value ]
+// input_declaration = var_init_decl | edge_declaration | "EN" ":" simple_spec_init ;
+// edge_declaration = var1_list ":" "BOOL" ( "R_EDGE" | "F_EDGE" ) ;
+// var_init_decl = var1_init_decl | array_var_init_decl
+//               | structured_var_init_decl | fb_name_decl
+//               | string_var_declaration ;
+// var1_init_decl = var1_list ":" ( simple_spec_init | subrange_spec_init | enumerated_spec_init ) ;
+// array_var_init_decl = var1_list ":" array_spec_init ;
+// structured_var_init_decl = var1_list ":" initialized_structure ;
+// fb_name_decl = fb_name_list ":" function_block_type_name [ ":=" structure_initialization ] ;
+// var2_init_decl = var1_init_decl | array_var_init_decl | structured_var_init_decl
+//                | string_var_declaration ;
+// var_declaration = temp_var_decl | fb_name_decl ;
+// temp_var_decl = var1_declaration | array_var_declaration
+//               | structured_var_declaration | string_var_declaration ;
+// var1_declaration = var1_list ":" ( simple_specification | subrange_specification
+//                                  | enumerated_specification ) ;
+// array_var_declaration = var1_list ":" array_specification ;
+// structured_var_declaration = var1_list ":" structure_type_name ;
+// string_var_declaration = single_byte_string_var_declaration
+//                        | double_byte_string_var_declaration ;
+// single_byte_string_var_declaration = var1_list ":" single_byte_string_spec ;
+// double_byte_string_var_declaration = var1_list ":" double_byte_string_spec ;
+// located_var_decl = [ variable_name ] location ":" located_var_spec_init ;
+// located_var_spec_init = simple_spec_init | subrange_spec_init | enumerated_spec_init
+//                       | array_spec_init | initialized_structure
+//                       | single_byte_string_spec | double_byte_string_spec ;
+// incompl_located_var_decl = variable_name incompl_location ":" var_spec ;
+// external_declaration = global_var_name ":"
+//                        ( simple_specification | subrange_specification
+//                        | enumerated_specification | array_specification
+//                        | structure_type_name | function_block_type_name
+//                        | "STRING" "[" integer "]" | "WSTRING" "[" integer "]" ) ;
+// global_var_decl = global_var_spec ":" ( located_var_spec_init | function_block_type_name ) ;
+// global_var_spec = global_var_list | [ global_var_name ] location ;
+/// All are read as names, location, `:`, specification, edge and initial value.
 const ast::VariableDeclaration*
 Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place place) {
     auto* node = make<ast::VariableDeclaration>();
@@ -379,7 +435,7 @@ Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place
     return node;
 }
 
-/// `INT x, y := 1;`, as other languages declare variables.
+/// In place of var_init_decl: `INT x, y := 1;`, as other languages declare variables.
 const ast::Node* Parser::parse_type_before_names() {
     auto* error = make<ast::ErrorDeclaration>();
     const std::uint32_t type = advance();
@@ -406,7 +462,7 @@ const ast::Node* Parser::parse_type_before_names() {
     return finish(error);
 }
 
-/// `b c d e;`: words without a colon and a type.
+/// In place of var_init_decl: `b c d e;`, words without a colon and a type.
 const ast::VariableDeclaration* Parser::parse_names_only(ast::VariableDeclaration* node) {
     report_unexpected("`:`");
     skip_declaration();
@@ -416,6 +472,10 @@ const ast::VariableDeclaration* Parser::parse_names_only(ast::VariableDeclaratio
 }
 
 // var1_list = variable_name { "," variable_name } ;
+// fb_name_list = fb_name { "," fb_name } ;
+// fb_name = identifier ;
+// global_var_list = global_var_name { "," global_var_name } ;
+// global_var_name = identifier ;
 void Parser::parse_declared_names(ListBuilder<ast::Identifier>& names,
                                   const ast::VariableDeclarations& block) {
     do
@@ -424,7 +484,7 @@ void Parser::parse_declared_names(ListBuilder<ast::Identifier>& names,
            (at(TokenKind::identifier) && colon_follows_on_line() && accept_missing_comma()));
 }
 
-/// A variable's name in its declaration; EN and ENO have their places (6.1 D23).
+/// Part of var1_list, variable_name: a declared one; EN and ENO have their places (6.1 D23).
 const ast::Identifier* Parser::parse_variable_name(const ast::VariableDeclarations& block) {
     const bool control = (at(TokenKind::kw_en) && block.block == VariableBlock::var_input) ||
                          (at(TokenKind::kw_eno) && block.block == VariableBlock::var_output);
@@ -477,7 +537,7 @@ std::uint32_t Parser::end_of_location_without_sign() const noexcept {
     return direct_variable_value(meant) ? last + 1 : at_;
 }
 
-/// `x : BOOL AT %IX1`, which is written `x AT %IX1 : BOOL`.
+/// In place of located_var_decl: `x : BOOL AT %IX1`, which is written `x AT %IX1 : BOOL`.
 void Parser::parse_location_behind_type(const ast::VariableDeclaration& declaration) {
     const std::uint32_t before = previous_end();
     const std::uint32_t first = at_;
@@ -502,7 +562,7 @@ const ast::Expression* Parser::parse_direct_variable() {
     return finish(node);
 }
 
-// ( "R_EDGE" | "F_EDGE" )
+// Part of edge_declaration: ( "R_EDGE" | "F_EDGE" )
 ast::Edge Parser::parse_optional_edge(const ast::VariableDeclarations& block, Place place,
                                       const ast::TypeSpecification& type) {
     if (!at(TokenKind::kw_r_edge) && !at(TokenKind::kw_f_edge))
