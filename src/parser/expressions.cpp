@@ -513,6 +513,7 @@ const ast::Expression* Parser::parse_subscripts(const ast::Expression* head) {
     const NestingGuard guard(*this);
     if (guard.too_deep())
         return parse_too_deep_expression();
+    check_has_parts(*head);
     auto* node = make_from<ast::ArrayVariable>(head);
     advance();
     ListBuilder<ast::Expression> subscripts(*this);
@@ -538,6 +539,7 @@ bool Parser::follows_operator(std::uint32_t index) const noexcept {
 // structured_variable = record_variable "." field_selector ;
 // field_selector = identifier | "EN" | "ENO" ;
 const ast::Expression* Parser::parse_field(const ast::Expression* head) {
+    check_has_parts(*head);
     auto* node = make_from<ast::StructuredVariable>(head);
     advance();
     node->record_variable = head;
@@ -557,14 +559,19 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
     return finish(node);
 }
 
+/// EN and ENO have no parts, and are nothing that is called (6.1 D24).
+void Parser::check_has_parts(const ast::Expression& variable) {
+    if (variable.kind == ast::NodeKind::variable_name &&
+        execution_control.contains(tokens_[variable.first_token].kind()))
+        report_reserved_word(variable.first_token);
+}
+
 // Part of primary_expression: "(" param_list ")"
 const ast::Expression* Parser::parse_call(const ast::Expression* callee) {
     const NestingGuard guard(*this);
     if (guard.too_deep())
         return parse_too_deep_expression();
-    if (callee->kind == ast::NodeKind::variable_name &&
-        execution_control.contains(tokens_[callee->first_token].kind()))
-        report_reserved_word(callee->first_token);
+    check_has_parts(*callee);
     auto* node = make_from<ast::FunctionCall>(callee);
     node->function = callee;
     node->arguments = parse_arguments();

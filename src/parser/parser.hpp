@@ -354,6 +354,8 @@ private:
     const ast::Node* parse_structure_element_declaration();
     const ast::Expression* parse_optional_initial_value();
     void check_initial_value(const ast::TypeSpecification& type, const ast::Expression* value);
+    [[nodiscard]] bool has_width_of(const ast::Expression& value,
+                                    const ast::StringSpecification& type) const noexcept;
     bool report_braces();
     [[nodiscard]] TokenKind separator_in_parentheses() const noexcept;
     const ast::Expression* parse_initial_value();
@@ -530,6 +532,7 @@ private:
     const ast::Expression* parse_field(const ast::Expression* head);
     [[nodiscard]] bool follows_operator(std::uint32_t index) const noexcept;
     const ast::Expression* parse_call(const ast::Expression* callee);
+    void check_has_parts(const ast::Expression& variable);
     ast::List<ast::Node> parse_arguments();
     const ast::Node* parse_argument(std::uint32_t open);
     void check_arguments(const ast::List<ast::Node>& arguments);

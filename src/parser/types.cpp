@@ -754,8 +754,10 @@ void Parser::check_initial_value(const ast::TypeSpecification& type, const ast::
     switch (type.kind) {
     case ast::NodeKind::elementary_type_name: fits = constant; break;
     case ast::NodeKind::string_specification:
-        fits = value->kind == ast::NodeKind::character_string;
-        needed = "a string";
+        fits = has_width_of(*value, *ast::as<ast::StringSpecification>(&type));
+        needed = ast::as<ast::StringSpecification>(&type)->double_byte
+                     ? "a string in double quotes"
+                     : "a string in single quotes";
         break;
     case ast::NodeKind::subrange_specification:
         fits = is_signed_integer(*value);
@@ -782,6 +784,17 @@ void Parser::check_initial_value(const ast::TypeSpecification& type, const ast::
                   {needed, quoted(value->first_token)});
     if (type.kind == ast::NodeKind::array_specification && at(TokenKind::comma))
         reported_at_ = at_; // the rest of a list without brackets
+}
+
+/// True for a character string of the width that STRING or WSTRING with a length asks for; of both
+/// behind the name of a data type (string_type_declaration).
+bool Parser::has_width_of(const ast::Expression& value,
+                          const ast::StringSpecification& type) const noexcept {
+    if (value.kind != ast::NodeKind::character_string)
+        return false;
+    return open_.back().closer == TokenKind::kw_end_type ||
+           tokens_[value.first_token].kind() ==
+               (type.double_byte ? TokenKind::double_byte_string : TokenKind::single_byte_string);
 }
 
 /// A lone name where only a constant can stand.

@@ -133,12 +133,9 @@ struct Figures {
     return texts;
 }
 
-/// True when the text with the fault in it is still of the language. What the parser lets pass may
-/// be one of the silent known differences.
-[[nodiscard]] bool leaves_valid(const Text& text, const TextEdit& fault, const Outcome& outcome) {
-    const std::string faulty = apply_edits(text.bytes, {&fault, 1});
-    const FormalSyntax& syntax = formal_syntax();
-    return syntax.derives(faulty) || (outcome.reports.empty() && syntax.derives_leniently(faulty));
+/// True when the text with the fault in it is still of the language.
+[[nodiscard]] bool leaves_valid(const Text& text, const TextEdit& fault) {
+    return formal_syntax().derives(apply_edits(text.bytes, {&fault, 1}));
 }
 
 /// Prints what a fault was and what was said about it.
@@ -206,7 +203,7 @@ public:
 
 private:
     void add(std::size_t kind, const Text& text, const TextEdit& fault, const Outcome& outcome) {
-        if (leaves_valid(text, fault, outcome)) {
+        if (leaves_valid(text, fault)) {
             ++figures_[kind].valid;
             return;
         }

@@ -29,9 +29,7 @@ constexpr std::size_t damages_each = 4;
     const SyntaxTree tree = parse(SourceText(text));
     const std::set<std::string> codes = reported_codes(tree);
     if (!formal_syntax().derives(text))
-        return codes.empty() && !formal_syntax().derives_leniently(text)
-                   ? "not reported, and not of the language"
-                   : "";
+        return codes.empty() ? "not reported, and not of the language" : "";
     return explained(codes) ? "" : "reported, and of the language: " + *codes.begin();
 }
 

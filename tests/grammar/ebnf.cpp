@@ -226,19 +226,4 @@ Grammar read_grammar(std::string_view document, std::string_view mark) {
     return grammar;
 }
 
-Grammar read_grammar_with(std::string_view document, std::string_view replacing) {
-    Grammar grammar = read_blocks(document, "ebnf");
-    for (Production& production : read_blocks(document, replacing).productions) {
-        const auto replaced =
-            std::find_if(grammar.productions.begin(), grammar.productions.end(),
-                         [&](const Production& one) { return one.name == production.name; });
-        if (replaced == grammar.productions.end())
-            grammar.productions.push_back(std::move(production));
-        else
-            *replaced = std::move(production);
-    }
-    resolve(grammar);
-    return grammar;
-}
-
 } // namespace iecfront::test

@@ -53,10 +53,6 @@ struct Grammar {
 /// The productions in the blocks of the Markdown text `document` that are marked `mark`.
 [[nodiscard]] Grammar read_grammar(std::string_view document, std::string_view mark = "ebnf");
 
-/// Those in the blocks marked `ebnf`, with those in the blocks marked `replacing` in the place of
-/// the ones with the same names, or added.
-[[nodiscard]] Grammar read_grammar_with(std::string_view document, std::string_view replacing);
-
 /// Calls `visit(const Expression&)` for `expression` and all its parts.
 template<class Visit>
 void for_each_expression(const Expression& expression, Visit&& visit) {

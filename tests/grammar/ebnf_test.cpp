@@ -62,15 +62,6 @@ TEST(EbnfReader, ReadsOnlyTheMarkedBlocks) {
     EXPECT_EQ(grammar.productions[1].text, "d = a [ a ] ;");
 }
 
-TEST(EbnfReader, ReplacesProductionsOnRequest) {
-    const Grammar grammar = read_grammar_with(
-        "```ebnf\na = b ;\nb = \"x\" ;\n```\n```ebnf-more\nb = c ;\nc = \"y\" ;\n```\n",
-        "ebnf-more");
-    EXPECT_EQ(grammar.faults, std::vector<std::string>{});
-    ASSERT_EQ(grammar.productions.size(), 3U);
-    EXPECT_EQ(grammar.productions[1].text, "b = c ;");
-}
-
 TEST(EbnfReader, NumbersExpressionsAndFindsProductions) {
     const Grammar grammar = grammar_of("a = b \"x\" ;\nb = \"y\" ;");
     EXPECT_EQ(grammar.expression_count, 4U); // the row and its two parts, and `"y"`
@@ -98,7 +89,6 @@ TEST(EbnfReader, SaysWhatIsWrong) {
 
 TEST(FormalSyntaxPage, IsReadWithoutAFault) {
     EXPECT_EQ(formal_syntax().grammar.faults, std::vector<std::string>{});
-    EXPECT_EQ(formal_syntax().lenient_grammar.faults, std::vector<std::string>{});
     EXPECT_EQ(formal_syntax().grammar.productions.front().name, "library");
     EXPECT_GT(formal_syntax().grammar.productions.size(), 250U);
 }

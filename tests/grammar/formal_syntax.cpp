@@ -9,9 +9,7 @@ FormalSyntax::FormalSyntax()
       grammar(read_grammar(document)),
       words(grammar, document),
       lexical(grammar, words),
-      differences(document),
-      lenient_grammar(read_grammar_with(document, "ebnf-silent")),
-      lenient_lexical(lenient_grammar, words) {}
+      differences(document) {}
 
 const FormalSyntax& formal_syntax() {
     static const FormalSyntax one;

@@ -16,9 +16,6 @@ struct FormalSyntax {
     Words words;
     LexicalRecogniser lexical;
     KnownDifferences differences;
-    /// With the productions that say what is taken in silence beyond the strict part.
-    Grammar lenient_grammar;
-    LexicalRecogniser lenient_lexical;
 
     FormalSyntax();
     FormalSyntax(const FormalSyntax&) = delete;
@@ -27,10 +24,6 @@ struct FormalSyntax {
     /// True when the strict part derives `text`.
     [[nodiscard]] bool derives(std::string_view text) const {
         return test::derives(grammar, lexical, text);
-    }
-    /// The same with the known silent differences.
-    [[nodiscard]] bool derives_leniently(std::string_view text) const {
-        return test::derives(lenient_grammar, lenient_lexical, text);
     }
 };
 

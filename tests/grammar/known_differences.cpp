@@ -27,13 +27,10 @@ namespace {
 } // namespace
 
 KnownDifferences::KnownDifferences(std::string_view document) {
-    for (const auto& row : table_rows(document, "Reported"))
+    for (const auto& row : table_rows(document, "Known differences"))
         if (row.size() == 5)
             reported.push_back(
                 {row[0], unescaped(code_in(row[1])), words_of(row[2]), row[3], row[4]});
-    for (const auto& row : table_rows(document, "Silent"))
-        if (row.size() == 4)
-            silent.push_back({row[0], unescaped(code_in(row[1])), {}, row[2], row[3]});
 }
 
 const KnownDifference* KnownDifferences::find(std::string_view code) const {

@@ -11,18 +11,17 @@ namespace iecfront::test {
 struct KnownDifference {
     std::string id;
     std::string source;          ///< shows it
-    std::set<std::string> codes; ///< of what is reported; none in a row of the silent ones
+    std::set<std::string> codes; ///< of what is reported
     std::string state;
     std::string reason;
 };
 
 struct KnownDifferences {
     std::vector<KnownDifference> reported;
-    std::vector<KnownDifference> silent;
 
     explicit KnownDifferences(std::string_view document);
 
-    /// The first row of the reported ones that has this code; null when none has.
+    /// The first row that has this code; null when none has.
     [[nodiscard]] const KnownDifference* find(std::string_view code) const;
 };
 

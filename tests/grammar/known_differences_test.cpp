@@ -10,16 +10,12 @@ namespace iecfront::test {
 namespace {
 
 TEST(KnownDifferences, AreReadFromTheTables) {
-    const KnownDifferences read("### Reported\n| id | source | code | state | why |\n"
+    const KnownDifferences read("## Known differences\n| id | source | code | state | why |\n"
                                 "| --- | --- | --- | --- | --- |\n"
-                                "| K1 | `a\\nb` | IEC1307 IEC1308 | decided | so |\n"
-                                "### Silent\n| id | source | state | why |\n"
-                                "| --- | --- | --- | --- |\n| K2 | `c` | open | so |\n");
+                                "| K1 | `a\\nb` | IEC1307 IEC1308 | decided | so |\n");
     ASSERT_EQ(read.reported.size(), 1U);
     EXPECT_EQ(read.reported[0].source, "a\nb");
     EXPECT_EQ(read.reported[0].codes, (std::set<std::string>{"IEC1307", "IEC1308"}));
-    ASSERT_EQ(read.silent.size(), 1U);
-    EXPECT_EQ(read.silent[0].state, "open");
     EXPECT_EQ(read.find("IEC1308"), &read.reported[0]);
     EXPECT_EQ(read.find("IEC2008"), nullptr);
 }
@@ -29,7 +25,6 @@ TEST(KnownDifferences, AreReadFromTheTables) {
 TEST(KnownDifferences, AreShownByTheirSources) {
     const FormalSyntax& syntax = formal_syntax();
     EXPECT_EQ(syntax.differences.reported.size(), 6U);
-    EXPECT_EQ(syntax.differences.silent.size(), 3U);
     for (const KnownDifference& one : syntax.differences.reported) {
         EXPECT_TRUE(syntax.derives(one.source)) << one.id;
         std::set<std::string> codes;
@@ -37,23 +32,13 @@ TEST(KnownDifferences, AreShownByTheirSources) {
             codes.insert(code_string(diagnostic.id));
         EXPECT_EQ(codes, one.codes) << one.id;
     }
-    for (const KnownDifference& one : syntax.differences.silent) {
-        EXPECT_FALSE(syntax.derives(one.source)) << one.id;
-        EXPECT_TRUE(syntax.derives_leniently(one.source)) << one.id;
-        EXPECT_EQ(reported_codes(parse(SourceText(one.source))), std::set<std::string>{}) << one.id;
-    }
 }
 
 TEST(KnownDifferences, HaveAStateAndAReason) {
-    const auto expect_complete = [](const std::vector<KnownDifference>& rows) {
-        for (const KnownDifference& one : rows) {
-            EXPECT_TRUE(one.state == "decided" || one.state == "meaning" || one.state == "open")
-                << one.id;
-            EXPECT_FALSE(one.reason.empty()) << one.id;
-        }
-    };
-    expect_complete(formal_syntax().differences.reported);
-    expect_complete(formal_syntax().differences.silent);
+    for (const KnownDifference& one : formal_syntax().differences.reported) {
+        EXPECT_TRUE(one.state == "decided" || one.state == "open") << one.id;
+        EXPECT_FALSE(one.reason.empty()) << one.id;
+    }
 }
 
 } // namespace
