@@ -442,6 +442,7 @@ private:
 
     // ---- sequential_function_chart.cpp: B.1.6
     const ast::SequentialFunctionChart* parse_sequential_function_chart();
+    void check_initial_steps(const ast::SequentialFunctionChart& chart); // initial_steps.cpp
     const ast::SfcNetwork* parse_sfc_network();
     [[nodiscard]] bool at_end_of_chart();
     const ast::Node* parse_chart_element(TokenKind opener);

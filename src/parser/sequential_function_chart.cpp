@@ -49,13 +49,17 @@ std::string_view meant_qualifier(std::string_view word) noexcept {
 // sequential_function_chart = sfc_network { sfc_network } ;
 const ast::SequentialFunctionChart* Parser::parse_sequential_function_chart() {
     auto* chart = make<ast::SequentialFunctionChart>();
+    const std::size_t reports = diagnostics_.size();
     const bool outer = std::exchange(in_chart_, true);
     ListBuilder<ast::SfcNetwork> networks(*this);
     while (!at_end_of_chart())
         networks.add(parse_sfc_network());
     chart->networks = networks.finish();
     in_chart_ = outer;
-    return finish(chart);
+    finish(chart);
+    if (diagnostics_.size() == reports) // a fault may have hidden a step
+        check_initial_steps(*chart);
+    return chart;
 }
 
 // sfc_network = ( initial_step | step | transition | action )

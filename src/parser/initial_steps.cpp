@@ -1,0 +1,81 @@
+#include "parser/parser.hpp"
+
+#include <iecfront/lexer/name.hpp>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace iecfront {
+namespace {
+
+/// The steps of a chart in groups that transitions connect: the networks of 2.6.2.
+class StepGroups {
+public:
+    void add(const std::string& name) {
+        if (indices_.try_emplace(name, parents_.size()).second)
+            parents_.push_back(parents_.size());
+    }
+    [[nodiscard]] bool contains(const std::string& name) const { return indices_.contains(name); }
+    void connect(const std::string& a, const std::string& b) {
+        parents_[group_of(a)] = group_of(b);
+    }
+
+    /// A number that is the same for all steps of a group.
+    [[nodiscard]] std::size_t group_of(const std::string& name) {
+        std::size_t step = indices_.at(name);
+        while (parents_[step] != step)
+            step = parents_[step] = parents_[parents_[step]]; // shortens the way for the next time
+        return step;
+    }
+
+private:
+    std::map<std::string, std::size_t> indices_;
+    std::vector<std::size_t> parents_; // of each step, another one of its group; itself at the end
+};
+
+} // namespace
+
+/// Each network has one initial step (2.6.2, Annex E row 22). Transitions say what a network is, so
+/// that of a chart with a step that is nowhere declared no more is known than that one is initial.
+void Parser::check_initial_steps(const ast::SequentialFunctionChart& chart) {
+    std::vector<const ast::Step*> initial;
+    std::vector<const ast::Transition*> transitions;
+    StepGroups groups;
+    for (const ast::SfcNetwork* network : chart.networks)
+        for (const ast::Node* element : network->elements) {
+            if (const auto* step = ast::as<ast::Step>(element)) {
+                groups.add(folded(text(step->name->first_token)));
+                if (step->initial)
+                    initial.push_back(step);
+            } else if (const auto* transition = ast::as<ast::Transition>(element)) {
+                transitions.push_back(transition);
+            }
+        }
+    if (initial.empty())
+        report_at(chart.first_token, DiagnosticId::no_initial_step);
+    for (const ast::Transition* transition : transitions) {
+        if (transition->from->missing || transition->to->missing)
+            return;
+        const std::string first = folded(text(transition->from->names.front()->first_token));
+        for (const ast::Steps* steps : {transition->from, transition->to})
+            for (const ast::Identifier* name : steps->names) {
+                const std::string step = folded(text(name->first_token));
+                if (!groups.contains(step))
+                    return;
+                groups.connect(step, first);
+            }
+    }
+    std::map<std::size_t, const ast::Step*> found; // the first initial step of each group
+    for (const ast::Step* step : initial) {
+        const auto [place, is_first] =
+            found.try_emplace(groups.group_of(folded(text(step->name->first_token))), step);
+        if (!is_first)
+            report_node(*step->name, DiagnosticId::second_initial_step,
+                        {std::string(text(step->name->first_token))})
+                .label(LabelId::first_given, place->second->name->first_token);
+    }
+}
+
+} // namespace iecfront
