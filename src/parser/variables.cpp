@@ -119,9 +119,7 @@ bool Parser::at_declarations_without_opener() {
 // input_declarations = "VAR_INPUT" [ "RETAIN" | "NON_RETAIN" ]
 //                      input_declaration ";" { input_declaration ";" } "END_VAR" ;
 // output_declarations = "VAR_OUTPUT" [ "RETAIN" | "NON_RETAIN" ]
-//                       ( var_init_decl | "ENO" ":" simple_spec_init ) ";"
-//                       { ( var_init_decl | "ENO" ":" simple_spec_init ) ";" }
-//                       "END_VAR" ;
+//                       output_declaration ";" { output_declaration ";" } "END_VAR" ;
 // input_output_declarations = "VAR_IN_OUT" var_declaration ";" { var_declaration ";" } "END_VAR" ;
 // var_declarations = "VAR" [ "CONSTANT" ] var_init_decl ";" { var_init_decl ";" } "END_VAR" ;
 // retentive_var_declarations = "VAR" "RETAIN" var_init_decl ";" { var_init_decl ";" } "END_VAR" ;
@@ -371,7 +369,13 @@ void Parser::accept_qualifier_of_declaration(const ast::VariableDeclarations& bl
     advance();
 }
 
-// input_declaration = var_init_decl | edge_declaration | "EN" ":" simple_spec_init ;
+// input_declaration = var_init_decl | edge_declaration
+//                   | ( variable_name | "EN" ) { "," ( variable_name | "EN" ) } ":"
+//                     ( "BOOL" ( "R_EDGE" | "F_EDGE" ) | parameter_spec_init ) ;
+// output_declaration = ( variable_name | "ENO" ) { "," ( variable_name | "ENO" ) } ":"
+//                      parameter_spec_init ;
+// parameter_spec_init = located_var_spec_init
+//                     | function_block_type_name [ ":=" structure_initialization ] ;
 // edge_declaration = var1_list ":" "BOOL" ( "R_EDGE" | "F_EDGE" ) ;
 // var_init_decl = var1_init_decl | array_var_init_decl
 //               | structured_var_init_decl | fb_name_decl

@@ -93,7 +93,8 @@ constexpr Reader readers[] = {
     {"parse_unit_name", "derived_function_name derived_function_block_name program_type_name"},
     {"parse_variable", "multi_element_variable"},
     {"parse_variable_declaration",
-     "input_declaration edge_declaration var_init_decl var1_init_decl array_var_init_decl "
+     "input_declaration output_declaration parameter_spec_init edge_declaration var_init_decl "
+     "var1_init_decl array_var_init_decl "
      "structured_var_init_decl fb_name_decl var2_init_decl var_declaration temp_var_decl "
      "var1_declaration array_var_declaration structured_var_declaration "
      "string_var_declaration single_byte_string_var_declaration "
