@@ -8,6 +8,7 @@
 
 #include <iecfront/lexer/literals.hpp>
 #include <iecfront/lexer/name.hpp>
+#include <iecfront/lexer/standard_names.hpp>
 
 #include <algorithm>
 #include <array>
@@ -108,6 +109,7 @@ private:
     const char* identifier(const char* begin, const char* end);
     const char* literal(TokenKind kind, const char* begin, const char* end);
     const char* literal_with_gaps(TokenKind kind, const char* begin, const char* end);
+    void report_type_of_literal(const char* begin, const char* prefix_end, const char* end);
     const char* spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps);
     [[nodiscard]] static Gaps gaps_of(std::initializer_list<TextRange> ranges);
     const char* found_literal(const char* begin, const char* prefix_end, const Found& found);
@@ -477,15 +479,6 @@ constexpr std::array third_edition_prefixes = {
     return TokenKind::typed_literal;
 }
 
-// What is wrong with a value that is typed with a name other than an elementary type's.
-[[nodiscard]] DiagnosticId fault_of_type(std::string_view prefix) noexcept {
-    if (is_generic_type_name(keyword_kind(prefix)))
-        return DiagnosticId::literal_of_generic_type;
-    return third_edition_kind(prefix) == TokenKind::typed_literal
-               ? DiagnosticId::literal_of_derived_type
-               : DiagnosticId::third_edition_literal;
-}
-
 [[nodiscard]] bool is_string(TokenKind kind) noexcept {
     return kind == TokenKind::single_byte_string || kind == TokenKind::double_byte_string;
 }
@@ -592,10 +585,34 @@ const char* Lexer::found_literal(const char* begin, const char* prefix_end, cons
     }
     if (!found.of_named_type)
         return literal(found.kind, begin, found.end);
-    report(fault_of_type(view(begin, prefix_end)), range(begin, found.end))
-        .arguments.emplace_back(std::string(begin, prefix_end));
+    report_type_of_literal(begin, prefix_end, found.end);
     emit_any(found.kind, begin, found.end);
     return found.end;
+}
+
+// What is wrong with a value that is typed with a name other than an elementary type's.
+void Lexer::report_type_of_literal(const char* begin, const char* prefix_end, const char* end) {
+    const std::string_view type = view(begin, prefix_end);
+    const TokenKind word = keyword_kind(type);
+    const StandardName standard = standard_name(type);
+    DiagnosticId fault = DiagnosticId::literal_of_derived_type;
+    if (is_generic_type_name(word))
+        fault = DiagnosticId::literal_of_generic_type;
+    else if (third_edition_kind(type) != TokenKind::typed_literal)
+        fault = DiagnosticId::third_edition_literal;
+    else if (word != TokenKind::identifier)
+        fault = DiagnosticId::reserved_word_as_name;
+    else if (standard != StandardName::none)
+        fault = DiagnosticId::standard_name_as_name;
+    const bool of_name = fault == DiagnosticId::reserved_word_as_name ||
+                         fault == DiagnosticId::standard_name_as_name;
+    Diagnostic& diagnostic = report(fault, range(begin, of_name ? prefix_end : end));
+    diagnostic.arguments.emplace_back(std::string(type));
+    if (fault == DiagnosticId::standard_name_as_name) {
+        diagnostic.arguments.emplace_back(
+            std::string(standard == StandardName::function ? "function" : "function block"));
+        diagnostic.arguments.emplace_back(std::string("cannot be the type of a literal"));
+    }
 }
 
 const char* Lexer::spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps) {

@@ -905,6 +905,9 @@ bool Parser::at_case_label() const noexcept {
     if (at(TokenKind::minus) || at(TokenKind::plus))
         label = next(label);
     const TokenKind here = tokens_[label].kind();
+    if (is_keyword(here) && here != TokenKind::kw_else)
+        if (tokens_[next(label)].kind() == TokenKind::colon)
+            return true;
     const bool value = here == TokenKind::identifier || here == TokenKind::enumerated_value ||
                        (here >= TokenKind::integer && here <= TokenKind::date_and_time) ||
                        here == TokenKind::kw_true || here == TokenKind::kw_false ||
@@ -982,7 +985,10 @@ const ast::CaseElement* Parser::parse_case_element() {
 const ast::Node* Parser::parse_case_label() {
     const TokenKind after = peek();
     const bool simple = after == TokenKind::colon || after == TokenKind::comma;
-    if (simple && (at(TokenKind::identifier) || at(TokenKind::enumerated_value)))
+    const bool keyword = is_keyword(kind()) && !at(TokenKind::kw_true) && !at(TokenKind::kw_false);
+    if (simple && keyword)
+        report_reserved_word(at_);
+    if (simple && (keyword || at(TokenKind::identifier) || at(TokenKind::enumerated_value)))
         return parse_enumerated_value();
     const std::uint32_t first = at_;
     const ast::Expression* label = parse_constant_label();

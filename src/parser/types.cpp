@@ -200,8 +200,10 @@ const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use)
 const ast::TypeSpecification* Parser::parse_type_name() {
     auto* node = make<ast::DerivedTypeName>();
     node->hash = hash_name(text(at_));
+    const bool identifier = at(TokenKind::identifier);
     const std::uint32_t word = advance();
-    check_standard_name(tokens_[word].range(), node->hash, NameUse::type);
+    if (identifier)
+        check_standard_name(tokens_[word].range(), node->hash, NameUse::type);
     return finish(node);
 }
 
@@ -777,6 +779,8 @@ void Parser::check_initial_value(const ast::TypeSpecification& type, const ast::
                               value->kind == ast::NodeKind::bit_string_literal;
     if (fits)
         return;
+    if (name && used_as_name(tokens_[value->first_token].kind()))
+        return;                             // the keyword was reported
     if (name || (subrange && other_number)) // the name of a constant, a number in another notation
         report_not_plain(*value, "an initial value");
     else
