@@ -149,6 +149,8 @@ const char* Extents::number_end(const char* p) const noexcept {
             return real_end(p);
         if (*p == '.' && p[1] != '.' && !is_word_start(p[1]))
             return p + 1; // `REAL#1.`
+    } else if (*p == '.' && is_digit(p[1])) {
+        return real_end(p); // `REAL#.5`
     }
     p = word_end(p);
     bool based = false; // `16#F.F` is a number with a fault
@@ -165,6 +167,7 @@ const char* Extents::duration_end(const char* p) const noexcept {
         ++p;
     p = word_end(p);
     while ((*p == '.' && is_word_part(p[1])) ||
+           (*p == ',' && is_digit(p[-1]) && begins_with_part_of_duration(p + 1)) || // `T#1,5s`
            (is_sign(*p) && begins_with_part_of_duration(p + 1)))
         p = word_end(p + 1);
     return p;
