@@ -71,14 +71,14 @@ bool Parser::closes_open_bracket() const noexcept {
     return false;
 }
 
-/// True inside brackets of a statement or declaration that are all closed further on.
+/// True inside brackets of a statement, instruction or declaration that are all closed further on.
 bool Parser::brackets_balance() const noexcept {
     constexpr std::uint32_t furthest = 200; // bounds the time that a text full of mistakes takes
     static constexpr TokenSet openers{TokenKind::left_parenthesis, TokenKind::left_bracket};
     std::int32_t open = 0;
     for (std::uint32_t i = at_; i > 0 && at_ - i < furthest; --i) {
         const TokenKind before = tokens_[i - 1].kind();
-        if (before == TokenKind::semicolon)
+        if (before == TokenKind::semicolon || (in_instructions_ && begins_line(i)))
             break;
         open += openers.contains(before) ? 1 : closing_brackets.contains(before) ? -1 : 0;
     }
@@ -86,7 +86,7 @@ bool Parser::brackets_balance() const noexcept {
         return false;
     for (std::uint32_t i = at_; i != count_ && i - at_ < furthest && open > 0; i = next(i)) {
         const TokenKind here = tokens_[i].kind();
-        if (here == TokenKind::semicolon)
+        if (here == TokenKind::semicolon || (in_instructions_ && begins_line(i)))
             break;
         open += openers.contains(here) ? 1 : closing_brackets.contains(here) ? -1 : 0;
     }

@@ -165,6 +165,8 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
             row = operator_row(split);
         if (row.strength < minimum || row.strength == 0)
             return left;
+        if (in_instructions_ && at_line_end()) // the operator of the next instruction
+            return left;
         if (assign)
             report_at(at_, DiagnosticId::assignment_for_equal).replace(token().range(), "=");
         else if (split != TokenKind::end_of_unit)

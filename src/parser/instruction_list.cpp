@@ -121,10 +121,8 @@ void Parser::skip_line() {
 
 /// An instruction ends with its line.
 void Parser::expect_line_end() {
-    if (at(TokenKind::semicolon) && !at_line_end()) {
-        report_at(at_, DiagnosticId::semicolon_in_instruction_list).remove(token().range());
-        advance();
-    }
+    if (at(TokenKind::semicolon) && !at_line_end())
+        return report_semicolon();
     const bool closes = at(TokenKind::right_parenthesis) && il_parentheses_ > 0;
     if (at_line_end() || closes)
         return;
@@ -134,6 +132,20 @@ void Parser::expect_line_end() {
     }
     report_unexpected("the end of the line");
     skip_line();
+}
+
+/// A `;` in the place of a line end. What stands behind it is no second mistake.
+void Parser::report_semicolon() {
+    const TextRange range = token().range();
+    Report semicolon = report_at(at_, DiagnosticId::semicolon_in_instruction_list);
+    advance();
+    const bool closes = at(TokenKind::right_parenthesis) && il_parentheses_ > 0;
+    if (at_line_end() || closes)
+        semicolon.remove(range);
+    else if (at_end_of_instructions() || begins_instruction_on_line())
+        semicolon.replace(range, "\n");
+    else
+        skip_line();
 }
 
 /// True when another instruction begins inside a line.
@@ -191,8 +203,10 @@ bool Parser::at_end_of_instructions() noexcept {
 const ast::InstructionList* Parser::parse_instruction_list() {
     auto* list = make<ast::InstructionList>();
     ListBuilder<ast::IlInstruction> instructions(*this);
+    const bool outer = std::exchange(in_instructions_, true);
     while (!at_end_of_instructions())
         add_in_loop(instructions, [this] { return parse_il_instruction(); });
+    in_instructions_ = outer;
     list->instructions = instructions.finish();
     return finish(list);
 }
@@ -231,9 +245,11 @@ const ast::InstructionList* Parser::parse_simple_instruction_list(std::string_vi
     auto* list = make<ast::InstructionList>();
     ListBuilder<ast::IlInstruction> instructions(*this);
     const bool begun = !at_line_end(); // with the operand before the first line
+    const bool outer = std::exchange(in_instructions_, true);
     while (!at(TokenKind::right_parenthesis) && !at_end_of_instructions() &&
            (closed || !begins_outer_instruction(begun || !instructions.empty())))
         add_in_loop(instructions, [&] { return parse_il_simple_instruction(where); });
+    in_instructions_ = outer;
     list->instructions = instructions.finish();
     return finish(list);
 }
@@ -684,20 +700,22 @@ const ast::Expression* Parser::parse_il_operand() {
         operand = parse_enumerated_value();
     } else if (at(TokenKind::direct_variable) || at(TokenKind::incomplete_location)) {
         operand = parse_primary();
-    } else if (at_expression_start() && parentheses_close_on_line()) {
-        operand = parse_unary();
-        return report_expression(at_line_end() ? operand : parse_binary_rest(operand, 1));
+    } else if (at_expression_start() && expression_ends_on_line()) {
+        const std::size_t reports = diagnostics_.size();
+        operand = parse_binary_rest(parse_unary(), 1);
+        return diagnostics_.size() == reports ? report_expression(operand) : operand;
     } else {
         report_at(at_, DiagnosticId::not_an_operand, {quoted(at_)});
         return make_missing<ast::ErrorExpression>();
     }
     if (at_line_end())
         return operand;
-    if (at(TokenKind::left_parenthesis) && parentheses_close_on_line())
+    if (at(TokenKind::left_parenthesis) && expression_ends_on_line())
         return report_expression(parse_call(operand));
     const bool operation =
         operator_strength(kind()) > 0 && !is_keyword(kind()) && !at(TokenKind::ampersand);
-    return operation ? report_expression(parse_binary_rest(operand, 1)) : operand;
+    return operation && expression_ends_on_line() ? report_expression(parse_binary_rest(operand, 1))
+                                                  : operand;
 }
 
 const ast::Expression* Parser::report_expression(const ast::Expression* expression) {
@@ -706,19 +724,35 @@ const ast::Expression* Parser::report_expression(const ast::Expression* expressi
     return expression;
 }
 
-/// True when the rest of the line closes all parentheses that it opens.
-bool Parser::parentheses_close_on_line() const noexcept {
-    std::uint32_t depth = 0;
+/// True for what an operand stands behind.
+bool Parser::wants_operand(TokenKind kind) noexcept {
+    return kind == TokenKind::left_parenthesis || kind == TokenKind::left_bracket ||
+           kind == TokenKind::kw_not || operator_strength(kind) > 0;
+}
+
+/// True when the rest of the line closes all parentheses that it opens, and breaks off nowhere.
+bool Parser::expression_ends_on_line() const noexcept {
+    const RestOfLine rest = rest_of_line();
+    return rest.parentheses == 0 && !wants_operand(rest.last);
+}
+
+Parser::RestOfLine Parser::rest_of_line() const noexcept {
+    RestOfLine rest;
     std::uint32_t steps = 0;
     std::uint32_t i = at_;
     do {
-        if (tokens_[i].kind() == TokenKind::left_parenthesis)
-            ++depth;
-        else if (tokens_[i].kind() == TokenKind::right_parenthesis && depth > 0)
-            --depth;
+        rest.last = tokens_[i].kind();
+        if (rest.last == TokenKind::left_parenthesis)
+            ++rest.parentheses;
+        else if (rest.last == TokenKind::right_parenthesis && rest.parentheses > 0)
+            --rest.parentheses;
+        else if (rest.last == TokenKind::left_bracket)
+            ++rest.brackets;
+        else if (rest.last == TokenKind::right_bracket && rest.brackets > 0)
+            --rest.brackets;
         i = next(i);
     } while (!begins_line(i) && i != count_ && ++steps < furthest_on_line);
-    return depth == 0;
+    return rest;
 }
 
 // il_symbolic_variable = variable_name { il_subscript_list | "." field_selector } ;
@@ -728,9 +762,11 @@ const ast::Expression* Parser::parse_il_variable() {
     for (;;) {
         if (at_line_end() || (!at(TokenKind::dot) && !at(TokenKind::left_bracket)))
             return variable;
-        if (begins_line(next(at_)) || peek() == TokenKind::end_of_unit) {
+        if (variable_breaks_off()) {
             auto* node = make_from<ast::StructuredVariable>(variable);
-            advance();
+            do
+                advance();
+            while (!at_line_end());
             node->record_variable = variable;
             report_missing(DiagnosticId::missing_operand, {quoted(end_ - 1)});
             node->field_selector = make_missing<ast::Identifier>();
@@ -745,6 +781,16 @@ const ast::Expression* Parser::parse_il_variable() {
         if (diagnostics_.size() == reports)
             check_il_subscripts(*variable);
     }
+}
+
+/// At `.` or `[`: true when nothing stands behind it, or the line ends where a subscript goes on.
+bool Parser::variable_breaks_off() const noexcept {
+    if (begins_line(next(at_)) || peek() == TokenKind::end_of_unit)
+        return true;
+    if (!at(TokenKind::left_bracket))
+        return false;
+    const RestOfLine rest = rest_of_line();
+    return rest.brackets > 0 && (rest.last == TokenKind::comma || wants_operand(rest.last));
 }
 
 // il_subscript = integer_literal | direct_variable | variable_name | "EN" | "ENO" ;

@@ -694,8 +694,18 @@ private:
     [[nodiscard]] bool parenthesis_closes(std::uint32_t open) const noexcept {
         return closing_parenthesis(open) != count_;
     }
-    [[nodiscard]] bool parentheses_close_on_line() const noexcept;
+    /// From the cursor to the end of the line.
+    struct RestOfLine {
+        std::uint32_t parentheses = 0; ///< opened and not closed
+        std::uint32_t brackets = 0;    ///< the same for `[`
+        TokenKind last = TokenKind::end_of_unit;
+    };
+    [[nodiscard]] RestOfLine rest_of_line() const noexcept;
+    [[nodiscard]] static bool wants_operand(TokenKind kind) noexcept;
+    [[nodiscard]] bool expression_ends_on_line() const noexcept;
+    [[nodiscard]] bool variable_breaks_off() const noexcept;
     void expect_line_end();
+    void report_semicolon();
     void expect_line_end_in(MissingLineEnds& missing, std::string_view where);
     void report_line_ends(const MissingLineEnds& missing);
     void report_line_end();
@@ -740,6 +750,7 @@ private:
     std::uint32_t nesting_ = 0;
     bool nesting_reported_ = false;
     bool in_condition_ = false;     // `:=` is taken for `=`
+    bool in_instructions_ = false;  // an expression ends with its line
     bool in_chart_ = false;         // the body, or what it is in an action of
     bool members_unclosed_ = false; // some METHOD lacks its closing word: none is looked for
     bool closer_assumed_ = false;   // the last closing word was missing, and its `;` with it

@@ -110,8 +110,8 @@ bool Parser::closes_outer_block() const noexcept {
     });
 }
 
-/// An identifier like `ENDIF`, `END_FI` or `END_FB`, or `END` alone, in the place of the closing
-/// word; also that word in two.
+/// An identifier like `ENDIF`, `END_FI`, `END_FB` or `END_INITIAL_STEP`, or `END` alone, in the
+/// place of the closing word; also that word in two.
 bool Parser::at_misspelt_closer() const noexcept {
     if (open_.empty() || (!at(TokenKind::identifier) && !at(TokenKind::kw_end_function)))
         return false;
@@ -130,7 +130,9 @@ bool Parser::at_misspelt_closer() const noexcept {
                        closers.contains(after);
     const bool of_element = library_element_closers.contains(open_.back().closer) &&
                             names_equal(word.substr(0, 3), "END");
-    return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer) ||
+    const bool of_opener = alone && names_equal(word.substr(0, 4), "END_") &&
+                           names_equal(word.substr(4), text(open_.back().opener));
+    return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer) || of_opener ||
                      (of_element && ends_library_element(at_)));
 }
 

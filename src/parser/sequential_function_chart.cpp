@@ -556,6 +556,10 @@ const ast::Steps* Parser::parse_steps_behind(TokenKind word) {
             report_unexpected("`" + words + "`");
             skip_to({word, TokenKind::semicolon, TokenKind::assign});
             accept(word);
+        } else if (at(TokenKind::identifier) && peek() == TokenKind::identifier &&
+                   condition.contains(peek_second())) { // `JUMP step`
+            report_unexpected("`" + words + "`").replace(token().range(), words);
+            advance();
         } else {
             expect(word);
         }
@@ -634,8 +638,11 @@ const ast::TransitionCondition* Parser::parse_transition_condition() {
         advance();
         return finish(node);
     }
-    if (at(TokenKind::colon) && instructions_follow_colon()) {
-        advance();
+    const bool instructions = at(TokenKind::colon)
+                                  ? instructions_follow_colon()
+                                  : line_kind(at_, LineKind::other) == LineKind::operation;
+    if (instructions) {
+        expect(TokenKind::colon);
         const ast::InstructionList* list = parse_simple_instruction_list("a transition condition");
         node->condition = list;
         if (list->instructions.empty())
@@ -679,10 +686,12 @@ void Parser::expect_semicolon_of_condition() {
         return;
     }
     report_unexpected("an operator or `;`");
-    if (at(statement_words))
-        parse_statement();
-    while (!at(TokenKind::semicolon) && !at_end_of_chart_element())
-        skip_balanced();
+    std::uint32_t blocks = 0; // a statement for the condition is passed over to its end
+    while ((blocks > 0 || !at(TokenKind::semicolon)) && !at_end_of_chart_element()) {
+        blocks += at(block_statements) ? 1 : 0;
+        blocks -= at(statement_closers) && blocks > 0 ? 1 : 0;
+        advance();
+    }
     accept(TokenKind::semicolon);
 }
 
