@@ -58,6 +58,22 @@ TEST(Features, WhatIsSupportedHasAnAcceptingCase) {
     }
 }
 
+// What of a chart or an instruction is a mistake depends on the feature: each has a case of its
+// own. All rows of these tables can be got wrong in their form.
+TEST(Features, ThoseOfChartsAndInstructionsHaveARejectingCase) {
+    const std::set<std::string_view> tables = {"40", "41",  "42", "43", "45",
+                                               "46", "51b", "52", "53", "54"};
+    for (const Feature& feature : features()) {
+        if (tables.contains(feature.table) &&
+            status_of(feature.treatment) != FeatureStatus::not_supported) {
+            EXPECT_TRUE(has_case(tag_of(feature), false))
+                << "no accepting case: " << tag_of(feature);
+            EXPECT_TRUE(has_case(tag_of(feature), true))
+                << "no rejecting case: " << tag_of(feature);
+        }
+    }
+}
+
 // `ABS: absolute value` is the description of a feature that the name is known for.
 TEST(Features, StandardNamesAreKnown) {
     for (const Feature& feature : features()) {
