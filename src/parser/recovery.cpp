@@ -50,6 +50,14 @@ constexpr BlockWords blocks[] = {
     {TokenKind::kw_action, TokenKind::kw_end_action},
 };
 
+/// `END_INITIAL_STEP` for END_STEP, `END_VAR_INPUT` for END_VAR.
+bool is_made_of_opener(std::string_view word, TokenKind closer) noexcept {
+    return names_equal(word.substr(0, 4), "END_") &&
+           std::any_of(std::begin(blocks), std::end(blocks), [&](const BlockWords& words) {
+               return words.closer == closer && names_equal(word.substr(4), spelling(words.opener));
+           });
+}
+
 } // namespace
 
 // ---- blocks and their closing words -------------------------------------------------------------
@@ -130,9 +138,8 @@ bool Parser::at_misspelt_closer() const noexcept {
                        closers.contains(after);
     const bool of_element = library_element_closers.contains(open_.back().closer) &&
                             names_equal(word.substr(0, 3), "END");
-    const bool of_opener = alone && names_equal(word.substr(0, 4), "END_") &&
-                           names_equal(word.substr(4), text(open_.back().opener));
-    return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer) || of_opener ||
+    return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer) ||
+                     is_made_of_opener(word, open_.back().closer) ||
                      (of_element && ends_library_element(at_)));
 }
 
