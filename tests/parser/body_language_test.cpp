@@ -1,4 +1,6 @@
-#include <iecfront/ast/visitor.hpp>
+#include "support/count_nodes.hpp"
+
+#include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/parser/parse.hpp>
 
 #include <gtest/gtest.h>
@@ -8,6 +10,8 @@
 
 namespace iecfront {
 namespace {
+
+using test::count_nodes;
 
 // 6.2 A28: nothing in a text says in which language a body is written, and one mistake never turns
 // a whole body into another language.
@@ -33,16 +37,6 @@ SyntaxTree parse_body(const std::vector<std::string>& body) {
     for (const std::string& line : body)
         text += line + '\n';
     return parse(SourceText(text + "END_PROGRAM\n"));
-}
-
-std::size_t count_nodes(const SyntaxTree& tree, ast::NodeKind kind) {
-    std::size_t nodes = 0;
-    for (const auto& slot : tree.slots())
-        ast::walk(slot.unit->root(), [&](const ast::Node& node) {
-            nodes += node.kind == kind ? 1 : 0;
-            return ast::Walk::into;
-        });
-    return nodes;
 }
 
 // With `line` put in at `place`, all others are read as before, and there is one report.

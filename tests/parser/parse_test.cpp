@@ -1,5 +1,6 @@
+#include "support/count_nodes.hpp"
+
 #include <iecfront/ast/dump.hpp>
-#include <iecfront/ast/visitor.hpp>
 #include <iecfront/parser/parse.hpp>
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 
 namespace iecfront {
 namespace {
+
+using test::count_nodes;
 
 std::string repeated(std::string_view text, std::size_t times) {
     std::string result;
@@ -24,16 +27,6 @@ std::size_t count(const SyntaxTree& tree, DiagnosticId id) {
     const auto found = tree.diagnostics();
     return static_cast<std::size_t>(
         std::count_if(found.begin(), found.end(), [id](const auto& one) { return one.id == id; }));
-}
-
-std::size_t count_nodes(const SyntaxTree& tree, ast::NodeKind kind) {
-    std::size_t nodes = 0;
-    for (const auto& slot : tree.slots())
-        ast::walk(slot.unit->root(), [&](const ast::Node& node) {
-            nodes += node.kind == kind ? 1 : 0;
-            return ast::Walk::into;
-        });
-    return nodes;
 }
 
 TEST(Parse, GivesOneUnitForNoText) {
