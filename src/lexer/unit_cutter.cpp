@@ -86,6 +86,7 @@ private:
     void close(std::size_t i);
     void cut_before(std::size_t i);
     [[nodiscard]] bool is_in_two_words(std::size_t i) const noexcept;
+    [[nodiscard]] bool begins_stray_text(std::size_t i) const noexcept;
     [[nodiscard]] bool follows_unknown_head(std::size_t i) const noexcept;
     [[nodiscard]] bool closes_open(TokenKind closer) const noexcept;
     [[nodiscard]] bool is_misused_name(std::size_t i) const noexcept;
@@ -165,10 +166,20 @@ void UnitCutter::close(std::size_t i) {
     }
     if (is_in_two_words(i))
         ++i;
-    do
-        ++i;
-    while (at(i).kind() == TokenKind::semicolon);
+    ++i;
+    if (!begins_stray_text(i))
+        while (at(i).kind() == TokenKind::semicolon)
+            ++i;
     cut_before(i);
+}
+
+// True at a `;` on a line of its own that neither a declaration nor the end follows: it stands in
+// what is left of a declaration without its opening word.
+bool UnitCutter::begins_stray_text(std::size_t i) const noexcept {
+    const TokenKind next = at(i + 1).kind();
+    return at(i).kind() == TokenKind::semicolon && at(i).first_on_line() &&
+           next != TokenKind::semicolon && role_of(next) != Role::opener &&
+           role_of(next) != Role::global_variables && next != TokenKind::end_of_unit;
 }
 
 // `END_FUNCTION BLOCK`, with nothing else behind it in its line.

@@ -27,7 +27,8 @@ constexpr std::string_view usage =
     "usage: iecfront_recovery [--faults N] [--seed N] [--show N] [FILE...]\n"
     "  --faults N   faults of each kind in a text, at most; less in short ones (100)\n"
     "  --seed N     of the generator that draws the faults (1)\n"
-    "  --show N     print the first N faults of each kind without exactly one report, there (0)\n"
+    "  --show N     print the first N faults of each kind without exactly one report, there, or "
+    "felt elsewhere (0)\n"
     "Without files, the example programs and the cases without findings are taken.\n";
 
 struct Options {
@@ -208,7 +209,9 @@ private:
             return;
         }
         figures_[kind].add(outcome);
-        if ((outcome.reports.size() != 1 || !outcome.located) && shown_[kind] < options_.show) {
+        const bool other_units_felt_it = outcome.equal_units != outcome.other_units;
+        if ((outcome.reports.size() != 1 || !outcome.located || other_units_felt_it) &&
+            shown_[kind] < options_.show) {
             ++shown_[kind];
             show(text, all_fault_kinds[kind], fault, outcome);
         }
