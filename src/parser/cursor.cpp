@@ -354,7 +354,7 @@ void Parser::check_standard_name(TextRange range, std::uint32_t hash, NameUse us
         return;
     standard_names_.push_back(hash);
     const char* const but = use == NameUse::declaration ? "cannot be given to anything else"
-                            : function                  ? "can only be called"
+                            : function                  ? "can only be called as one"
                             : use == NameUse::call      ? "cannot be called: declare an instance"
                                                         : "can only be a type";
     report(DiagnosticId::standard_name_as_name, range,

@@ -655,8 +655,11 @@ const ast::IlOperation* Parser::parse_il_fb_call(const IlOperatorRow& row) {
         node->fb_name = make_missing<ast::ErrorExpression>();
         return finish(node);
     }
+    const TextRange first = token().range();
     node->fb_name = parse_il_variable();
-    if (node->fb_name->kind != ast::NodeKind::variable_name)
+    if (const auto* name = ast::as<ast::VariableName>(node->fb_name))
+        check_standard_name(first, name->hash, NameUse::other);
+    else
         report_node(*node->fb_name, DiagnosticId::call_of_member,
                     {node->fb_name->kind == ast::NodeKind::array_variable ? "an array element"
                                                                           : "a member"});
