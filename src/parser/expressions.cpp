@@ -597,7 +597,8 @@ ast::List<ast::Node> Parser::parse_arguments() {
     }
     static constexpr TokenSet expected{TokenKind::right_parenthesis, TokenKind::right_bracket,
                                        TokenKind::semicolon};
-    if (at(expected) || token().first_on_line()) {
+    const bool head_ends = at(part_words) && !brackets_balance(); // `IF f(a THEN`
+    if (at(expected) || head_ends || token().first_on_line()) {
         expect(TokenKind::right_parenthesis);
     } else {
         report_unexpected("`,` or `)`");
