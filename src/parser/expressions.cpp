@@ -703,6 +703,9 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
     if (peek() == TokenKind::assign) {
         input->name = parse_argument_name();
         advance();
+    } else if (at_equal_for_assign(open)) {
+        input->name = parse_argument_name();
+        expect_assign();
     }
     input->value = parse_expression();
     if (input->name == nullptr && lacks_assign(*input->value, open)) {
@@ -715,9 +718,20 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
 
 /// Two operands in a row, the first of them a name, in the list of formal arguments that begins
 /// at `open`.
-bool Parser::lacks_assign(const ast::Node& value, std::uint32_t open) const {
-    if (value.kind != ast::NodeKind::variable_name || !begins_operand_on_line(at_))
-        return false;
+bool Parser::lacks_assign(const ast::Node& value, std::uint32_t open) const noexcept {
+    return value.kind == ast::NodeKind::variable_name && begins_operand_on_line(at_) &&
+           has_formal_argument(open);
+}
+
+/// `b = 2` or `b == 2` in the list of formal arguments that begins at `open`.
+bool Parser::at_equal_for_assign(std::uint32_t open) const noexcept {
+    static constexpr TokenSet look_alikes{TokenKind::equal, TokenKind::equal_equal};
+    return (at(TokenKind::identifier) || at(execution_control)) && look_alikes.contains(peek()) &&
+           argument_list_closes(next(open)) && has_formal_argument(open);
+}
+
+/// True when `:=` or `=>` stands directly in the list that begins at `open`.
+bool Parser::has_formal_argument(std::uint32_t open) const noexcept {
     constexpr std::uint32_t furthest = 1000; // bounds the time that a list full of mistakes takes
     std::uint32_t depth = 1;
     for (std::uint32_t i = next(open); depth > 0 && i != count_ && i - open < furthest;

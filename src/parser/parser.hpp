@@ -357,6 +357,7 @@ private:
     [[nodiscard]] bool has_width_of(const ast::Expression& value,
                                     const ast::StringSpecification& type) const noexcept;
     bool report_braces();
+    [[nodiscard]] bool at_equal_in_structure() const noexcept;
     [[nodiscard]] TokenKind separator_in_parentheses() const noexcept;
     const ast::Expression* parse_initial_value();
     const ast::Expression* parse_enumerated_value();
@@ -556,7 +557,9 @@ private:
     bool accept_missing_comma(bool named = false);
     bool accept_argument_comma(std::uint32_t open, bool formal);
     [[nodiscard]] bool stands_right_of_line(std::uint32_t index) const noexcept;
-    [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const;
+    [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const noexcept;
+    [[nodiscard]] bool at_equal_for_assign(std::uint32_t open) const noexcept;
+    [[nodiscard]] bool has_formal_argument(std::uint32_t open) const noexcept;
     [[nodiscard]] bool argument_list_closes(std::uint32_t i) const noexcept;
     [[nodiscard]] bool at_expression_start() const noexcept;
     [[nodiscard]] bool at_operand_keyword() const noexcept;

@@ -661,6 +661,8 @@ const ast::Expression* Parser::parse_initial_value() {
     if (at(TokenKind::left_bracket))
         return parse_array_initialization();
     if (at(TokenKind::left_parenthesis)) {
+        if (at_equal_in_structure())
+            return parse_structure_initialization();
         if (peek_second() == TokenKind::assign || peek() == TokenKind::assign ||
             peek() == TokenKind::right_parenthesis ||
             (peek() == TokenKind::identifier && peek_second() == TokenKind::colon))
@@ -693,6 +695,21 @@ const ast::Expression* Parser::parse_initial_value() {
     if (!is_faulty(*value, reports))
         report_not_plain(*value, "an initial value");
     return value;
+}
+
+/// `(a = 1)` behind the `:=` of a derived type or a structure element. Behind that of an elementary
+/// type it compares.
+bool Parser::at_equal_in_structure() const noexcept {
+    static constexpr TokenSet before{TokenKind::assign, TokenKind::equal, TokenKind::equal_equal};
+    std::uint32_t value = next(next(next(at_)));
+    if (tokens_[value].kind() == TokenKind::minus)
+        value = next(value);
+    const TokenKind behind = tokens_[next(value)].kind();
+    return before.contains(peek_second()) && peek() == TokenKind::identifier && at_ > 1 &&
+           before.contains(tokens_[at_ - 1].kind()) &&
+           tokens_[at_ - 2].kind() == TokenKind::identifier &&
+           (tokens_[value].kind() == TokenKind::left_parenthesis ||
+            behind == TokenKind::right_parenthesis || behind == TokenKind::comma);
 }
 
 /// `{1, 2, 3}` of other languages for an initial value: here it is a pragma.
