@@ -340,9 +340,13 @@ const ast::Expression* Parser::check_function_call(const ast::Expression* operan
         return operand;
     if (call->function->kind != ast::NodeKind::variable_name)
         report_call_of_member(*call->function);
-    else if (call->arguments.empty() &&
-             tokens_[call->end_token - 1].kind() == TokenKind::right_parenthesis)
+    else if (!call->arguments.empty())
+        return operand;
+    else if (tokens_[call->end_token - 1].kind() == TokenKind::right_parenthesis)
         report_node(*call, DiagnosticId::function_without_arguments);
+    else if (reported_at_ == at_ && !diagnostics_.empty() &&
+             diagnostics_.back().id == DiagnosticId::missing_token)
+        diagnostics_.back().fixes.clear(); // arguments are missing as well
     return operand;
 }
 
@@ -586,8 +590,7 @@ ast::List<ast::Node> Parser::parse_arguments() {
     const std::size_t reports = diagnostics_.size();
     const std::uint32_t open = advance();
     ListBuilder<ast::Node> arguments(*this);
-    // An unfinished call takes no assignment of the next line for an argument.
-    const bool unfinished = at_assignment_on_new_line() && !argument_list_closes(at_);
+    const bool unfinished = at_end_of_unfinished_call(open);
     if (!at(TokenKind::right_parenthesis) && !unfinished) {
         const ast::Node* last = nullptr;
         do
@@ -612,6 +615,18 @@ ast::List<ast::Node> Parser::parse_arguments() {
     return list;
 }
 
+/// Behind `(`: true at what ends the statement, or begins one on the next line, when no `)`
+/// follows.
+bool Parser::at_end_of_unfinished_call(std::uint32_t open) const noexcept {
+    static constexpr TokenSet not_in_call = statement_words | statement_closers | unit_ends;
+    if (at(TokenKind::semicolon))
+        return !argument_list_closes(next(at_));
+    const bool statement =
+        token().first_on_line() &&
+        (at(not_in_call) || (at_assignment_on_new_line() && !stands_below_call(open)));
+    return statement && !argument_list_closes(at_);
+}
+
 /// A comma. When the next line assigns to something, it stands in the place of the `)`.
 bool Parser::accept_argument_comma(std::uint32_t open, bool formal) {
     const TextRange comma = token().range();
@@ -625,13 +640,24 @@ bool Parser::accept_argument_comma(std::uint32_t open, bool formal) {
     return false;
 }
 
+/// At an assignment on the line after the `(`: true when it stands right of the call, as its
+/// arguments do. What stands right of `IF f(` may just as well be a statement.
+bool Parser::stands_below_call(std::uint32_t open) const noexcept {
+    return stands_right_of_line(open) && !is_keyword(tokens_[line_begin(open)].kind());
+}
+
 /// True when the token at the cursor, first on its line, stands right of where the line of another
 /// one begins.
 bool Parser::stands_right_of_line(std::uint32_t index) const noexcept {
-    for (std::uint32_t steps = 0; steps < furthest_on_line; ++steps, --index)
-        if (index == 0 || tokens_[index].first_on_line())
-            return column(at_) > column(index);
-    return true;
+    return column(at_) > column(line_begin(index));
+}
+
+/// The first token of the line of another one, or one of a very long line.
+std::uint32_t Parser::line_begin(std::uint32_t index) const noexcept {
+    for (std::uint32_t steps = 0;
+         steps < furthest_on_line && index > 0 && !tokens_[index].first_on_line(); ++steps)
+        --index;
+    return index;
 }
 
 /// Between two elements of a list: something that begins another one follows directly, or behind

@@ -557,6 +557,9 @@ private:
     bool accept_missing_comma(bool named = false);
     bool accept_argument_comma(std::uint32_t open, bool formal);
     [[nodiscard]] bool stands_right_of_line(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_end_of_unfinished_call(std::uint32_t open) const noexcept;
+    [[nodiscard]] bool stands_below_call(std::uint32_t open) const noexcept;
+    [[nodiscard]] std::uint32_t line_begin(std::uint32_t index) const noexcept;
     [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const noexcept;
     [[nodiscard]] bool at_equal_for_assign(std::uint32_t open) const noexcept;
     [[nodiscard]] bool has_formal_argument(std::uint32_t open) const noexcept;
