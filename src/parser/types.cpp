@@ -461,7 +461,8 @@ const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaratio
 
 /// The closing bracket of a list in which no more element can be read.
 void Parser::expect_closing(TokenKind bracket) {
-    if (!at(bracket) && !at(TokenKind::semicolon) && !is_keyword(kind()) &&
+    const bool outer = at(closing_brackets) && closes_open_bracket(); // `[2(0]`
+    if (!at(bracket) && !outer && !at(TokenKind::semicolon) && !is_keyword(kind()) &&
         !token().first_on_line()) {
         report_unexpected("`,` or `" + std::string(spelling(bracket)) + "`");
         skip_to({bracket, TokenKind::semicolon});
