@@ -381,6 +381,7 @@ private:
     const ast::VariableDeclarations* parse_variable_declarations(Place place);
     [[nodiscard]] bool at_end_of_declarations();
     [[nodiscard]] bool at_declarations_without_opener();
+    [[nodiscard]] bool at_configuration_part() const noexcept;
     [[nodiscard]] bool at_unknown_block() const noexcept;
     [[nodiscard]] TokenKind misspelt_block_opener() const noexcept;
     void parse_block_head(ast::VariableDeclarations& block, Place place);

@@ -63,6 +63,8 @@ bool Parser::at_end_of_declarations() {
         return !after_name.contains(peek()) || at(TokenKind::end_of_unit);
     if (at_misspelt_closer() || at_foreign_closer())
         return true;
+    if (is_open(TokenKind::kw_end_configuration))
+        return at_configuration_part() && unclosed(TokenKind::kw_end_var) > 0;
     // The body in a declaration block: its END_VAR is missing.
     const bool statement = at_statement_start() && !is_elementary_type_name(peek_second());
     const bool instruction = token().first_on_line() && peek() != TokenKind::colon &&
@@ -70,6 +72,14 @@ bool Parser::at_end_of_declarations() {
     const bool empty = at(TokenKind::semicolon) && unit_ends.contains(peek());
     return open_.back().closer == TokenKind::kw_end_var && (statement || instruction || empty) &&
            unclosed(TokenKind::kw_end_var) > 0;
+}
+
+/// At the RESOURCE, TASK or PROGRAM that follows the declarations of a configuration.
+bool Parser::at_configuration_part() const noexcept {
+    static constexpr TokenSet parts{TokenKind::kw_resource, TokenKind::kw_task,
+                                    TokenKind::kw_program};
+    return parts.contains(misspelt_configuration_word()) && peek() != TokenKind::colon &&
+           peek() != TokenKind::comma && peek() != TokenKind::kw_at;
 }
 
 /// At `VAR_STAT` and its like: a word of other dialects that opens a block.
