@@ -372,7 +372,8 @@ const ast::IlOperation* Parser::parse_structured_text_in_il() {
     std::uint32_t blocks = 0;
     std::uint32_t parentheses = 0;
     do {
-        blocks += at(block_statements) ? 1 : 0;
+        // What lacks its closing word ends with its line.
+        blocks += at(block_statements) && unclosed(closer_of(kind())) <= 0 ? 1 : 0;
         blocks -= at(statement_closers) && blocks > 0 ? 1 : 0;
         if (at(TokenKind::left_parenthesis) && argument_list_closes(next(at_)))
             ++parentheses;
