@@ -34,7 +34,7 @@ bool Parser::at_word(std::string_view word) const noexcept {
 }
 
 bool Parser::adjoins_next() const noexcept {
-    return tokens_[at_].end() == tokens_[at_ + 1].offset();
+    return !at_end() && tokens_[at_].end() == tokens_[at_ + 1].offset();
 }
 
 bool Parser::on_same_line(std::uint32_t first, std::uint32_t second) const noexcept {

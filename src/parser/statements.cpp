@@ -391,9 +391,9 @@ const ast::Statement* Parser::parse_statement() {
 /// Passes over a step, transition or action from its opening word to its closing word.
 const ast::Statement* Parser::skip_chart_element() {
     auto* error = make<ast::ErrorStatement>();
-    report_at(at_, DiagnosticId::not_a_statement, {quoted(at_)});
     const std::uint32_t closer = chart_element_end(at_);
-    while (at_ <= closer && !at_end()) // what is read again may end before
+    report_at(at_, DiagnosticId::not_a_statement, {quoted(at_)});
+    while (at_ <= closer && !at_end()) // what is read again may end at the report
         advance();
     return finish(error);
 }
