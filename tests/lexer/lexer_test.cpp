@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <initializer_list>
 #include <random>
 #include <string>
 
@@ -127,13 +128,25 @@ TEST(Lexer, ByteOrderMarkIsWhiteSpaceAtTheStartOnly) {
     EXPECT_EQ(faults("x \xEF\xBB\xBF"), "1002@2..5");
 }
 
+/// A text of one token with a fault, and the text when the fix is applied.
+struct Mended {
+    std::string_view text;
+    std::string_view token;
+    std::string_view fault;
+    std::string_view fixed;
+};
+
+void expect_mended(std::initializer_list<Mended> rows) {
+    for (const Mended& row : rows) {
+        EXPECT_EQ(tokens(row.text), row.token) << row.text;
+        EXPECT_EQ(trivia(row.text), "") << row.text;
+        EXPECT_EQ(faults(row.text), row.fault) << row.text;
+        EXPECT_EQ(fixed(row.text), row.fixed) << row.text;
+    }
+}
+
 TEST(Lexer, WhiteSpaceInLiterals) {
-    const struct {
-        std::string_view text;
-        std::string_view token;
-        std::string_view fault;
-        std::string_view fixed;
-    } rows[] = {
+    expect_mended({
         {"INT #5", "typed_literal!(INT #5)", "1310@3..4", "INT#5"},
         {"INT# 5", "typed_literal!(INT# 5)", "1310@4..5", "INT#5"},
         {"INT \t# \t-5", "typed_literal!(INT \t# \t-5)", "1310@3..5", "INT#-5"},
@@ -158,21 +171,11 @@ TEST(Lexer, WhiteSpaceInLiterals) {
         // Further faults in such a literal are not reported as well.
         {"16# F_", "based_integer!(16# F_)", "1310@3..4", "16#F_"},
         {"T# 5s5s", "duration!(T# 5s5s)", "1310@2..3", "T#5s5s"},
-    };
-    for (const auto& row : rows) {
-        EXPECT_EQ(tokens(row.text), row.token) << row.text;
-        EXPECT_EQ(faults(row.text), row.fault) << row.text;
-        EXPECT_EQ(fixed(row.text), row.fixed) << row.text;
-    }
+    });
 }
 
 TEST(Lexer, CommentsInLiterals) {
-    const struct {
-        std::string_view text;
-        std::string_view token;
-        std::string_view fault;
-        std::string_view fixed;
-    } rows[] = {
+    expect_mended({
         {"INT(*c*)#5", "typed_literal!(INT(*c*)#5)", "1315@3..8", "INT#5"},
         {"INT# (* c *) 5", "typed_literal!(INT# (* c *) 5)", "1315@5..12", "INT#5"},
         {"INT{p}#5", "typed_literal!(INT{p}#5)", "1315@3..6", "INT#5"},
@@ -186,13 +189,7 @@ TEST(Lexer, CommentsInLiterals) {
          "Color#Red"},
         {"DT#1984-06-25(*c*)15:36:55", "date_and_time!(DT#1984-06-25(*c*)15:36:55)", "1315@13..18",
          "DT#1984-06-25-15:36:55"},
-    };
-    for (const auto& row : rows) {
-        EXPECT_EQ(tokens(row.text), row.token) << row.text;
-        EXPECT_EQ(trivia(row.text), "") << row.text;
-        EXPECT_EQ(faults(row.text), row.fault) << row.text;
-        EXPECT_EQ(fixed(row.text), row.fixed) << row.text;
-    }
+    });
     // Comments with a fault of their own, and such of other languages, are no part of a literal.
     EXPECT_EQ(trivia("INT (* (* *) #5"), "comment(4..12)");
     EXPECT_EQ(trivia("INT# /* */ 5"), "c_comment(5..10)");
