@@ -2,6 +2,7 @@
 
 #include <iecfront/lexer/name.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -35,42 +36,64 @@ private:
     std::vector<std::size_t> parents_; // of each step, another one of its group; itself at the end
 };
 
+struct ChartElements {
+    std::vector<const ast::Step*> steps;
+    std::vector<const ast::Transition*> transitions;
+};
+
+[[nodiscard]] ChartElements elements_of(const ast::SequentialFunctionChart& chart) {
+    ChartElements found;
+    for (const ast::SfcNetwork* network : chart.networks)
+        for (const ast::Node* element : network->elements) {
+            if (const auto* step = ast::as<ast::Step>(element))
+                found.steps.push_back(step);
+            else if (const auto* transition = ast::as<ast::Transition>(element))
+                found.transitions.push_back(transition);
+        }
+    return found;
+}
+
+/// All that the transition leaves and enters becomes one group. False when a step of them is not
+/// known. `name_of` gives the name of an identifier, folded.
+template<typename NameOf>
+[[nodiscard]] bool connect(StepGroups& groups, const ast::Transition& transition, NameOf name_of) {
+    if (transition.from->missing || transition.to->missing)
+        return false;
+    const std::string first = name_of(*transition.from->names.front());
+    for (const ast::Steps* steps : {transition.from, transition.to})
+        for (const ast::Identifier* name : steps->names) {
+            const std::string step = name_of(*name);
+            if (!groups.contains(step))
+                return false;
+            groups.connect(step, first);
+        }
+    return true;
+}
+
 } // namespace
 
 /// Each network has one initial step (2.6.2, Annex E row 22). Transitions say what a network is, so
 /// that of a chart with a step that is nowhere declared no more is known than that one is initial.
 void Parser::check_initial_steps(const ast::SequentialFunctionChart& chart) {
-    std::vector<const ast::Step*> initial;
-    std::vector<const ast::Transition*> transitions;
-    StepGroups groups;
-    for (const ast::SfcNetwork* network : chart.networks)
-        for (const ast::Node* element : network->elements) {
-            if (const auto* step = ast::as<ast::Step>(element)) {
-                groups.add(folded(text(step->name->first_token)));
-                if (step->initial)
-                    initial.push_back(step);
-            } else if (const auto* transition = ast::as<ast::Transition>(element)) {
-                transitions.push_back(transition);
-            }
-        }
-    if (initial.empty())
+    const auto name_of = [this](const ast::Identifier& name) {
+        return folded(text(name.first_token));
+    };
+    const ChartElements elements = elements_of(chart);
+    if (std::none_of(elements.steps.begin(), elements.steps.end(),
+                     [](const ast::Step* step) { return step->initial; }))
         report_at(chart.first_token, DiagnosticId::no_initial_step);
-    for (const ast::Transition* transition : transitions) {
-        if (transition->from->missing || transition->to->missing)
+    StepGroups groups;
+    for (const ast::Step* step : elements.steps)
+        groups.add(name_of(*step->name));
+    for (const ast::Transition* transition : elements.transitions)
+        if (!connect(groups, *transition, name_of))
             return;
-        const std::string first = folded(text(transition->from->names.front()->first_token));
-        for (const ast::Steps* steps : {transition->from, transition->to})
-            for (const ast::Identifier* name : steps->names) {
-                const std::string step = folded(text(name->first_token));
-                if (!groups.contains(step))
-                    return;
-                groups.connect(step, first);
-            }
-    }
     std::map<std::size_t, const ast::Step*> found; // the first initial step of each group
-    for (const ast::Step* step : initial) {
+    for (const ast::Step* step : elements.steps) {
+        if (!step->initial)
+            continue;
         const auto [place, is_first] =
-            found.try_emplace(groups.group_of(folded(text(step->name->first_token))), step);
+            found.try_emplace(groups.group_of(name_of(*step->name)), step);
         if (!is_first)
             report_node(*step->name, DiagnosticId::second_initial_step,
                         {std::string(text(step->name->first_token))})

@@ -797,8 +797,9 @@ void Parser::check_initial_value(const ast::TypeSpecification& type, const ast::
                               value->kind == ast::NodeKind::bit_string_literal;
     if (fits)
         return;
-    if (name && used_as_name(tokens_[value->first_token].kind()))
-        return;                             // the keyword was reported
+    const bool reported = name && used_as_name(tokens_[value->first_token].kind());
+    if (reported)
+        return;
     if (name || (subrange && other_number)) // the name of a constant, a number in another notation
         report_not_plain(*value, "an initial value");
     else
