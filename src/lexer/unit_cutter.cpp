@@ -85,6 +85,8 @@ private:
     void open(std::size_t i);
     void close(std::size_t i);
     void cut_before(std::size_t i);
+    [[nodiscard]] bool is_stray_closer(std::size_t i) const noexcept;
+    [[nodiscard]] bool begins_unit(Token token) const noexcept;
     [[nodiscard]] bool is_in_two_words(std::size_t i) const noexcept;
     [[nodiscard]] bool begins_stray_text(std::size_t i) const noexcept;
     [[nodiscard]] bool follows_unknown_head(std::size_t i) const noexcept;
@@ -164,6 +166,8 @@ void UnitCutter::close(std::size_t i) {
         variables_open_ = false;
         return;
     }
+    if (is_stray_closer(i))
+        return;
     if (is_in_two_words(i))
         ++i;
     ++i;
@@ -173,13 +177,38 @@ void UnitCutter::close(std::size_t i) {
     cut_before(i);
 }
 
+// `END_TYPE : INT;`, `b : END_TYPE INT;` and `b : INT := END_TYPE;`: what stands around it in its
+// line goes on.
+bool UnitCutter::is_stray_closer(std::size_t i) const noexcept {
+    const Token next = at(i + 1);
+    if (next.first_on_line() || begins_unit(next) || is_in_two_words(i))
+        return false;
+    if (is_delimiter(next.kind()) && next.kind() != TokenKind::semicolon)
+        return !at(i + 2).first_on_line() && !begins_unit(at(i + 2));
+    const bool behind_name = i == opener_ + 2;
+    if (i == unit_begin_ || tokens_[i].first_on_line() || behind_name)
+        return false;
+    const TokenKind before = tokens_[i - 1].kind();
+    const Role role = role_of(before);
+    if (next.kind() == TokenKind::semicolon)
+        return is_delimiter(before) && before != TokenKind::semicolon &&
+               before != TokenKind::right_parenthesis && !begins_unit(at(i + 2));
+    return before != TokenKind::semicolon && role != Role::end && role != Role::variables_end;
+}
+
+// True at what a library element begins with, and at the end.
+bool UnitCutter::begins_unit(Token token) const noexcept {
+    const Role role = role_of(token.kind());
+    return role == Role::opener || role == Role::global_variables ||
+           token.kind() == TokenKind::end_of_unit;
+}
+
 // True at a `;` on a line of its own that neither a declaration nor the end follows: it stands in
 // what is left of a declaration without its opening word.
 bool UnitCutter::begins_stray_text(std::size_t i) const noexcept {
-    const TokenKind next = at(i + 1).kind();
+    const Token next = at(i + 1);
     return at(i).kind() == TokenKind::semicolon && at(i).first_on_line() &&
-           next != TokenKind::semicolon && role_of(next) != Role::opener &&
-           role_of(next) != Role::global_variables && next != TokenKind::end_of_unit;
+           next.kind() != TokenKind::semicolon && !begins_unit(next);
 }
 
 // `END_FUNCTION BLOCK`, with nothing else behind it in its line.
@@ -263,7 +292,10 @@ bool UnitCutter::goes_on_as_head(std::size_t i) const noexcept {
 bool UnitCutter::begins_declaration(std::size_t i) const noexcept {
     if (tokens_[i].first_on_line())
         return true;
-    const TokenKind before = tokens_[i - 1].kind(); // the first token is first on its line
+    // The first token is first on its line. One word before it may be a misspelt closing word.
+    const bool word = i > unit_begin_ + 1 && tokens_[i - 1].kind() == TokenKind::identifier &&
+                      tokens_[i].kind() != TokenKind::kw_type; // which could be a name
+    const TokenKind before = tokens_[i - (word ? 2 : 1)].kind();
     return before == TokenKind::semicolon || role_of(before) == Role::closer ||
            role_of(before) == Role::variables_end || role_of(before) == Role::end;
 }

@@ -179,7 +179,8 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
         advance();
         node->op = row.op;
         node->left = left;
-        node->right = parse_binary(row.strength + 1);
+        const bool alone = left->missing && !begins_operand(kind()); // lacks both, as was reported
+        node->right = alone ? make_missing<ast::ErrorExpression>() : parse_binary(row.strength + 1);
         left = finish(node);
     }
 }
@@ -356,11 +357,14 @@ void Parser::report_call_of_member(const ast::Expression& callee) {
                                                               : "a member or a result"});
 }
 
-/// True when an operand is missing at the end of the line before, as an assignment follows.
+/// True when an operand is missing at the end of the line before, as an assignment follows, or a
+/// declaration or label.
 bool Parser::at_assignment_on_new_line() const noexcept {
     if (!token().first_on_line() || at_ == 0 ||
         (!at(TokenKind::identifier) && !at(TokenKind::direct_variable)))
         return false;
+    if (peek() == TokenKind::colon)
+        return true;
     std::uint32_t depth = 0; // of brackets
     std::uint32_t steps = 0;
     for (std::uint32_t i = next(at_);

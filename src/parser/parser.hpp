@@ -294,6 +294,9 @@ private:
     void skip_declaration();
     [[nodiscard]] bool at_semicolon_look_alike() const noexcept;
     bool accept_semicolon();
+    [[nodiscard]] std::uint32_t end_of_declaration_with_stray_word();
+    void skip_stray_word_in_declaration(std::uint32_t end);
+    void drop_word_before_declaration(const std::string& what);
     void expect_semicolon_of_declaration();
     void report_missing_semicolon();
 
@@ -315,6 +318,10 @@ private:
     const ast::DataTypeDeclaration* parse_data_type_declaration();
     const ast::Node* parse_type_declaration();
     const ast::TypeDeclaration* parse_struct_before_name();
+    [[nodiscard]] bool at_next_structure();
+    [[nodiscard]] bool at_misspelt_struct();
+    [[nodiscard]] bool at_stray_struct();
+    const ast::TypeSpecification* parse_type_behind_struct(StructureUse use);
     void parse_structure_elements(ast::StructureDeclaration& structure, std::uint32_t opener);
     const ast::ErrorDeclaration* parse_error_declaration(std::string what);
     void report_empty_block(std::uint32_t opener);

@@ -16,6 +16,9 @@ constexpr TokenSet block_words =
     closers | block_openers |
     TokenSet{TokenKind::kw_else, TokenKind::kw_elsif, TokenKind::kw_until, TokenKind::end_of_unit};
 
+// What can follow a name, or the first of several, in a declaration of variables.
+constexpr TokenSet after_names{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
+
 struct BlockWords {
     TokenKind opener;
     TokenKind closer;
@@ -349,9 +352,65 @@ bool Parser::accept_semicolon() {
     return true;
 }
 
+/// At a word of a statement, or a closing word of which nothing is open, in a line of declarations:
+/// where the declaration ends that it stands in. Else the cursor's place.
+std::uint32_t Parser::end_of_declaration_with_stray_word() {
+    static constexpr TokenSet words =
+        statement_words | closers |
+        TokenSet{TokenKind::kw_else, TokenKind::kw_elsif, TokenKind::kw_until};
+    const OpenBlock& block = open_.back();
+    const bool ends_block = token().first_on_line() && unclosed(block.closer) > 0;
+    const bool variables = block.closer != TokenKind::kw_end_var && at(block_openers);
+    const bool closes_too_early = !token().first_on_line() && unclosed(kind()) < 0 && at_ > 0 &&
+                                  tokens_[at_ - 1].kind() != TokenKind::semicolon;
+    if ((!at(words) && !variables && !at_stray_struct()) ||
+        (is_open(kind()) && !closes_too_early) || ends_block)
+        return at_;
+    std::uint32_t end = next(at_);
+    for (std::uint32_t steps = 0; !tokens_[end].first_on_line() && steps < furthest_on_line;
+         ++steps) {
+        const bool last = tokens_[end].kind() == TokenKind::semicolon;
+        end = next(end);
+        if (last)
+            break;
+    }
+    const TokenKind after_name = tokens_[next(end)].kind();
+    const bool paths = tokens_[block.opener].kind() == TokenKind::kw_var_config;
+    const bool declaration =
+        tokens_[end].kind() == TokenKind::identifier &&
+        (after_names.contains(after_name) || (paths && after_name == TokenKind::dot));
+    return declaration || tokens_[end].kind() == block.closer ? end : at_;
+}
+
+/// Passes over the rest of a declaration with such a word in it. Without the word it may be whole.
+void Parser::skip_stray_word_in_declaration(std::uint32_t end) {
+    static constexpr TokenSet goes_on{TokenKind::assign, TokenKind::semicolon};
+    Report unexpected = report_unexpected("`;`");
+    if (goes_on.contains(peek()))
+        unexpected.remove(token().range());
+    else if (next(at_) == end)
+        unexpected.replace(token().range(), ";");
+    for (; at_ < end && !at_end(); advance())
+        count_as_name(kind());
+}
+
+/// `CASE x : INT;`: a word that does not belong there, and a declaration behind it.
+void Parser::drop_word_before_declaration(const std::string& what) {
+    if (at(TokenKind::identifier) || peek() != TokenKind::identifier ||
+        !after_names.contains(peek_second()) || end_of_declaration_with_stray_word() == at_)
+        return;
+    report_at(at_, DiagnosticId::not_a_declaration, {what, describe(at_)}).remove(token().range());
+    count_as_name(kind());
+    advance();
+}
+
 void Parser::expect_semicolon_of_declaration() {
     if (accept_semicolon())
         return;
+    if (const std::uint32_t end = end_of_declaration_with_stray_word(); end > at_) {
+        skip_stray_word_in_declaration(end);
+        return;
+    }
     if (closer_assumed_ && at(block_words))
         return;
     const bool missing = at(block_words) || at_misspelt_closer() || at(statement_words) ||

@@ -1,4 +1,5 @@
 #include "lexer/keywords.hpp"
+#include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/literals.hpp>
@@ -79,8 +80,9 @@ const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string what) {
 // string_type_declaration = string_type_name ":" ( "STRING" | "WSTRING" )
 //                           [ "[" integer "]" ] [ ":=" character_string ] ;
 const ast::Node* Parser::parse_type_declaration() {
-    if (at(TokenKind::kw_struct) && peek() == TokenKind::identifier)
+    if (at(TokenKind::kw_struct) && peek() == TokenKind::identifier && !at_stray_struct())
         return parse_struct_before_name();
+    drop_word_before_declaration("a type declaration");
     if (!at(TokenKind::identifier) && !(is_keyword(kind()) && peek() == TokenKind::colon))
         return parse_error_declaration("a type declaration");
     auto* node = make<ast::TypeDeclaration>();
@@ -126,6 +128,13 @@ void Parser::expect_colon() {
         advance();
         return;
     }
+    if (is_keyword(kind()) && peek() == TokenKind::colon && !begins_type(kind())) {
+        report_unexpected("`:`").remove(token().range());
+        count_as_name(kind());
+        advance();
+        advance();
+        return;
+    }
     if (at(TokenKind::colon) || peek() == TokenKind::colon || begins_type(kind())) {
         expect(TokenKind::colon);
         return;
@@ -166,10 +175,13 @@ bool Parser::colon_follows_on_line() const noexcept {
 /// Whatever stands behind the `:` of a declaration.
 const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use) {
     switch (kind()) {
-    case TokenKind::identifier: return parse_derived_type();
+    case TokenKind::identifier:
+        return at_misspelt_struct() ? parse_structure_declaration() : parse_derived_type();
     case TokenKind::left_parenthesis: return parse_enumerated_specification();
     case TokenKind::kw_array: return parse_array_specification();
     case TokenKind::kw_struct:
+        if (at_stray_struct())
+            return parse_type_behind_struct(use);
         if (use == StructureUse::anonymous)
             report(DiagnosticId::anonymous_structure, token().range());
         return parse_structure_declaration();
@@ -596,8 +608,57 @@ const ast::TypeSpecification* Parser::parse_structure_declaration() {
     if (guard.too_deep())
         return parse_too_deep_type();
     auto* node = make<ast::StructureDeclaration>();
-    parse_structure_elements(*node, advance());
+    const std::uint32_t opener = at_;
+    if (at(TokenKind::identifier)) {
+        ++unclosed(TokenKind::kw_end_struct);
+        accept_misspelt(TokenKind::kw_struct);
+    } else {
+        advance();
+    }
+    parse_structure_elements(*node, opener);
     return finish(node);
+}
+
+/// At a STRUCT that nothing closes, and no element follows in its line.
+bool Parser::at_stray_struct() {
+    const std::uint32_t behind = next(at_);
+    const TokenKind after_name = peek_second();
+    const bool element = tokens_[behind].kind() == TokenKind::identifier &&
+                         (after_name == TokenKind::colon || after_name == TokenKind::comma);
+    return at(TokenKind::kw_struct) && unclosed(TokenKind::kw_end_struct) > 0 && !element &&
+           !tokens_[behind].first_on_line() && tokens_[behind].kind() != TokenKind::kw_end_struct;
+}
+
+/// In place of structure_declaration: `STRUCT INT`, a word too many before the type; or `STRUCT;`.
+const ast::TypeSpecification* Parser::parse_type_behind_struct(StructureUse use) {
+    Report unexpected = report_at(at_, DiagnosticId::missing_type, {describe(at_)});
+    count_as_name(kind());
+    advance();
+    if (!begins_type(kind()))
+        return make_missing<ast::ErrorType>();
+    unexpected.remove(tokens_[at_ - 1].range());
+    return parse_type_specification(use);
+}
+
+/// At a misspelt STRUCT: an END_STRUCT closes nothing otherwise.
+bool Parser::at_misspelt_struct() {
+    static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma};
+    return peek() == TokenKind::identifier && after_name.contains(peek_second()) &&
+           is_misspelling(text(at_), spelling(TokenKind::kw_struct)) &&
+           unclosed(TokenKind::kw_end_struct) < 0;
+}
+
+/// In a structure that lacks its closing word, at the next one: it begins in the column of this one
+/// or in its line. Otherwise it is nested in it.
+bool Parser::at_next_structure() {
+    const OpenBlock& block = open_.back();
+    if (block.closer != TokenKind::kw_end_struct || peek() != TokenKind::colon ||
+        peek_second() != TokenKind::kw_struct || block.opener < 2 ||
+        unclosed(TokenKind::kw_end_struct) <= 0)
+        return false;
+    const std::uint32_t name = block.opener - 2; // with the `:` between them
+    return token().first_on_line() ? tokens_[name].first_on_line() && column(name) == column(at_)
+                                   : on_same_line(name, at_);
 }
 
 /// Part of structure_declaration: the elements of the structure that the token `opener` opens, and
@@ -618,6 +679,7 @@ void Parser::parse_structure_elements(ast::StructureDeclaration& structure, std:
 //     | initialized_structure | single_byte_string_spec | double_byte_string_spec ) ;
 // structure_element_name = identifier ;
 const ast::Node* Parser::parse_structure_element_declaration() {
+    drop_word_before_declaration("the declaration of a structure element");
     if (!at(TokenKind::identifier) && !at_declaration_start())
         return parse_error_declaration("the declaration of a structure element");
     auto* node = make<ast::StructureElementDeclaration>();

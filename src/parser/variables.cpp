@@ -60,8 +60,9 @@ constexpr BlockRow block_rows[] = {
 bool Parser::at_end_of_declarations() {
     static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
     if (at(ends_of_declarations))
-        return !after_name.contains(peek()) || at(TokenKind::end_of_unit);
-    if (at_misspelt_closer() || at_foreign_closer())
+        return at_end() ||
+               (!after_name.contains(peek()) && end_of_declaration_with_stray_word() == at_);
+    if (at_misspelt_closer() || at_foreign_closer() || at_next_structure())
         return true;
     if (is_open(TokenKind::kw_end_configuration))
         return at_configuration_part() && unclosed(TokenKind::kw_end_var) > 0;
@@ -359,6 +360,7 @@ const ast::Node* Parser::parse_declaration(const ast::VariableDeclarations& bloc
         !tokens_[next(at_)].first_on_line())
         return parse_type_before_names();
     accept_qualifier_of_declaration(block);
+    drop_word_before_declaration("the declaration of a variable");
     if (!at(TokenKind::identifier) && !at(TokenKind::kw_at) && !at_declaration_start())
         return parse_error_declaration("the declaration of a variable");
     return parse_variable_declaration(block, place);

@@ -91,6 +91,24 @@ TEST(UnitCutter, AnyClosingWordEndsWhatIsOpen) {
               (Units{"FUNCTION_BLOCK f x := 1 ; END_FUNCTION", "PROGRAM p END_PROGRAM"}));
 }
 
+TEST(UnitCutter, ClosingWordInTheMiddleOfALineOfSomethingElseEndsNothing) {
+    for (const char* const source : {"TYPE a : INT ; END_TYPE : INT ; c : INT ; END_TYPE",
+                                     "TYPE b : END_TYPE INT ; c : INT ; END_TYPE",
+                                     "TYPE b : INT := END_TYPE ; c : INT ; END_TYPE",
+                                     "PROGRAM p x := ( END_PROGRAM + 1 ) ; END_PROGRAM"})
+        EXPECT_EQ(units(source), Units{source});
+    EXPECT_EQ(
+        units("PROGRAM p x := END_PROGRAM PROGRAM q x := END_PROGRAM ; PROGRAM r END_PROGRAM"),
+        (Units{"PROGRAM p x := END_PROGRAM", "PROGRAM q x := END_PROGRAM ;",
+               "PROGRAM r END_PROGRAM"}));
+}
+
+TEST(UnitCutter, WordBeforeAHeadCanBeAMisspeltClosingWord) {
+    EXPECT_EQ(
+        units("FUNCTION F : INT F := 1; END_FUNCION FUNCTION G : INT G := 2; END_FUNCTION"),
+        (Units{"FUNCTION F : INT F := 1 ; END_FUNCION", "FUNCTION G : INT G := 2 ; END_FUNCTION"}));
+}
+
 TEST(UnitCutter, GlobalVariablesOutsideAreAUnit) {
     EXPECT_EQ(
         units("VAR_GLOBAL x : INT; END_VAR VAR_GLOBAL END_VAR; PROGRAM p END_PROGRAM"),
