@@ -46,7 +46,7 @@ bool Parser::begins_chart_element(std::uint32_t index) const noexcept {
     const TokenKind name = tokens_[second].kind();
     const TokenKind after = tokens_[third].kind();
     if (name == TokenKind::identifier)
-        return after != TokenKind::assign;
+        return after != TokenKind::assign && after != TokenKind::semicolon;
     if (tokens_[index].kind() == TokenKind::kw_initial_step && name == TokenKind::colon)
         return true; // the name is missing
     if (tokens_[index].kind() == TokenKind::kw_transition)
@@ -104,7 +104,7 @@ bool Parser::ends_operator(std::uint32_t index) const noexcept {
 /// Counts what speaks for each language in a body.
 class Parser::BodySurvey {
 public:
-    explicit BodySurvey(const Parser& parser) noexcept
+    explicit BodySurvey(Parser& parser)
         : parser_(parser),
           begin_(parser.at_),
           closer_(parser.open_.back().closer),
@@ -112,10 +112,10 @@ public:
           begins_chart_(parser.begins_chart_element(begin_) || misspelt_),
           chart_words_(misspelt_ ? 1 : 0) {}
 
-    [[nodiscard]] BodyLanguage language() noexcept;
+    [[nodiscard]] BodyLanguage language();
 
 private:
-    void survey() noexcept;
+    void survey();
     [[nodiscard]] bool is_decided() const noexcept;
     void count_chart_word(std::uint32_t& index) noexcept;
     void begin_line(std::uint32_t index) noexcept;
@@ -126,7 +126,7 @@ private:
         return parser_.tokens_[index].kind();
     }
 
-    const Parser& parser_;
+    Parser& parser_;
     const std::uint32_t begin_;
     const TokenKind closer_;
     const bool misspelt_; // the first word is very probably one of a chart
@@ -212,12 +212,13 @@ void Parser::BodySurvey::count_token(std::uint32_t index) noexcept {
     }
 }
 
-void Parser::BodySurvey::survey() noexcept {
+void Parser::BodySurvey::survey() {
     for (std::uint32_t i = begin_;
          !unit_ends.contains(kind(i)) && kind(i) != closer_ && !is_decided(); i = parser_.next(i)) {
         if (chart_closers.contains(kind(i)) || parser_.begins_chart_element(i)) {
-            if (closer_ == TokenKind::kw_end_action && !begins_chart_)
-                return; // the action is not closed
+            if (closer_ == TokenKind::kw_end_action && !begins_chart_ &&
+                parser_.unclosed(closer_) > 0)
+                return; // it may be this one that is not closed
             count_chart_word(i);
             continue;
         }
@@ -228,7 +229,7 @@ void Parser::BodySurvey::survey() noexcept {
     }
 }
 
-BodyLanguage Parser::BodySurvey::language() noexcept {
+BodyLanguage Parser::BodySurvey::language() {
     survey();
     // Two elements make a chart, whatever stands around them.
     if (chart_words_ > 2 || chart_words_ + (begins_chart_ ? 1 : 0) > statements_ + instructions_)
@@ -241,7 +242,7 @@ BodyLanguage Parser::BodySurvey::language() noexcept {
 
 /// The language of the body that begins here (6.2 A28). Each line speaks for one language, and the
 /// majority decides, so that one mistake never turns a whole body into another language.
-BodyLanguage Parser::body_language() const noexcept {
+BodyLanguage Parser::body_language() {
     return BodySurvey(*this).language();
 }
 

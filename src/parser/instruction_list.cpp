@@ -190,13 +190,16 @@ void Parser::report_line_ends(const MissingLineEnds& missing) {
 // ---- instructions -------------------------------------------------------------------------------
 
 /// True when what follows belongs to something that is open further out.
-bool Parser::at_end_of_instructions() noexcept {
+bool Parser::at_end_of_instructions() {
     if (at(unit_ends))
         return true;
-    if (at(chart_closers) || at(chart_openers))
-        return is_open(TokenKind::kw_end_action) || is_open(TokenKind::kw_end_transition);
+    const TokenKind innermost = open_.back().closer;
+    if (at(chart_openers))
+        return at_chart_structure();
+    if (at(chart_closers))
+        return at(innermost) || (chart_closers.contains(innermost) && unclosed(innermost) > 0);
     return at(TokenKind::identifier) && begins_line(at_) && at_misspelt_closer() &&
-           unclosed(open_.back().closer) > 0;
+           unclosed(innermost) > 0;
 }
 
 // instruction_list = il_instruction { il_instruction } ;
@@ -399,7 +402,8 @@ const ast::IlOperation* Parser::parse_il_error_operation() {
     }
     if (!at(TokenKind::right_parenthesis)) {
         report_at(at_, DiagnosticId::not_an_instruction, {quoted(at_)});
-        skip_line();
+        if (!skip_chart_element())
+            skip_line();
         return finish(error);
     }
     if (skipped_parentheses_ > 0) // its opening one stands in a line that was reported

@@ -439,7 +439,7 @@ private:
     void skip_rest_of_head();
     const ast::Body* parse_body();
     const ast::Body* parse_empty_body();
-    [[nodiscard]] BodyLanguage body_language() const noexcept; // body_language.cpp
+    [[nodiscard]] BodyLanguage body_language(); // body_language.cpp
     class BodySurvey;
     [[nodiscard]] std::uint32_t chart_element_end(std::uint32_t index) const noexcept;
     enum class LineKind { operation, application, other };
@@ -447,7 +447,7 @@ private:
     [[nodiscard]] bool begins_deferred_operation(std::uint32_t index) const noexcept;
     [[nodiscard]] bool ends_operator(std::uint32_t index) const noexcept;
     [[nodiscard]] bool begins_chart_element(std::uint32_t index) const noexcept;
-    [[nodiscard]] bool body_begins_in_head() const noexcept;
+    [[nodiscard]] bool body_begins_in_head();
 
     // ---- sequential_function_chart.cpp: B.1.6
     const ast::SequentialFunctionChart* parse_sequential_function_chart();
@@ -461,7 +461,8 @@ private:
     [[nodiscard]] TokenKind missing_chart_word() const noexcept;
     void open_chart_element(TokenKind opener);
     [[nodiscard]] bool at_end_of_chart_element();
-    [[nodiscard]] bool at_chart_structure() const noexcept;
+    [[nodiscard]] bool at_chart_structure();
+    bool skip_chart_element();
     const ast::SkippedText* skip_text_in_chart();
     void expect_colon_of_chart();
     const ast::Step* parse_step(TokenKind opener);
@@ -604,7 +605,7 @@ private:
     const ast::Statement* parse_statement();
     [[nodiscard]] bool at_statement_label() const noexcept;
     const ast::Statement* parse_misplaced_declarations();
-    const ast::Statement* skip_chart_element();
+    const ast::Statement* parse_chart_element_for_statement();
     const ast::Statement* parse_too_deep_statement();
     const ast::ErrorStatement* expect_semicolon_of_statement(const ast::Statement& statement);
     [[nodiscard]] bool at_condition_behind_statement();
@@ -697,7 +698,7 @@ private:
     void advance_operator() noexcept;
     [[nodiscard]] bool begins_line(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_line_end() const noexcept;
-    [[nodiscard]] bool at_end_of_instructions() noexcept;
+    [[nodiscard]] bool at_end_of_instructions();
     [[nodiscard]] bool at_end_of_operands() noexcept;
     [[nodiscard]] bool at_structured_text() const noexcept;
     [[nodiscard]] bool at_formal_argument(std::uint32_t index) const noexcept;
@@ -766,6 +767,7 @@ private:
     bool in_condition_ = false;     // `:=` is taken for `=`
     bool in_instructions_ = false;  // an expression ends with its line
     bool in_chart_ = false;         // the body, or what it is in an action of
+    bool between_chart_elements_ = false; // in statements that stand there
     bool members_unclosed_ = false; // some METHOD lacks its closing word: none is looked for
     bool closer_assumed_ = false;   // the last closing word was missing, and its `;` with it
     std::optional<std::uint32_t> reported_at_; // token of the last report

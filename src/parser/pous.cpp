@@ -136,7 +136,7 @@ void Parser::skip_rest_of_head() {
 }
 
 /// An instruction or a chart on the line of the head, with no declarations behind it.
-bool Parser::body_begins_in_head() const noexcept {
+bool Parser::body_begins_in_head() {
     if (begins_chart_element(at_))
         return true;
     std::uint32_t line = at_;

@@ -191,10 +191,24 @@ bool Parser::at_end_of_chart_element() {
 
 /// True when what follows belongs to the chart in whose action, or among whose elements,
 /// statements stand.
-bool Parser::at_chart_structure() const noexcept {
+bool Parser::at_chart_structure() {
     if (!in_chart_)
         return false;
-    return begins_chart_element(at_) || (at(chart_closers) && !is_open(TokenKind::kw_end_action));
+    const bool in_action = is_open(TokenKind::kw_end_action) && !between_chart_elements_;
+    if (begins_chart_element(at_))
+        return !in_action || unclosed(TokenKind::kw_end_action) > 0;
+    return at(chart_closers) && !in_action;
+}
+
+/// Passes over a step, transition or action that begins at the cursor, and has its closing word.
+/// False when there is none.
+bool Parser::skip_chart_element() {
+    const std::uint32_t closer = begins_chart_element(at_) ? chart_element_end(at_) : at_;
+    if (closer == at_)
+        return false;
+    while (at_ <= closer && !at_end())
+        advance();
+    return true;
 }
 
 /// What is no element: text before, between and behind elements. All statements in a row are one
@@ -215,7 +229,9 @@ const ast::SkippedText* Parser::skip_text_in_chart() {
               {"a step, a transition or an action", describe(at_)});
     if (at_statement_start()) {
         ListBuilder<ast::Statement> statements(*this);
+        const bool outer = std::exchange(between_chart_elements_, true);
         parse_statements(statements);
+        between_chart_elements_ = outer;
     } else {
         do
             skip_balanced();

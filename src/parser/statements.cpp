@@ -350,7 +350,7 @@ const ast::Statement* Parser::parse_statement() {
         return finish(member);
     }
     if (begins_chart_element(at_) && chart_element_end(at_) != at_)
-        return skip_chart_element();
+        return parse_chart_element_for_statement();
     if (at_statement_label()) {
         auto* label = make<ast::ErrorStatement>();
         report_at(at_, DiagnosticId::not_a_statement, {"a label"});
@@ -388,13 +388,11 @@ const ast::Statement* Parser::parse_statement() {
     return skip_statement();
 }
 
-/// Passes over a step, transition or action from its opening word to its closing word.
-const ast::Statement* Parser::skip_chart_element() {
+/// In place of statement: a whole step, transition or action.
+const ast::Statement* Parser::parse_chart_element_for_statement() {
     auto* error = make<ast::ErrorStatement>();
-    const std::uint32_t closer = chart_element_end(at_);
     report_at(at_, DiagnosticId::not_a_statement, {quoted(at_)});
-    while (at_ <= closer && !at_end()) // what is read again may end at the report
-        advance();
+    skip_chart_element();
     return finish(error);
 }
 

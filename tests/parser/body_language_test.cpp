@@ -32,19 +32,29 @@ std::vector<std::string> instructions() {
     return body;
 }
 
-SyntaxTree parse_body(const std::vector<std::string>& body) {
-    std::string text = "PROGRAM p\n";
+struct Frame {
+    const char* head;
+    const char* tail;
+};
+
+constexpr Frame program = {"PROGRAM p\n", "END_PROGRAM\n"};
+constexpr Frame action = {"PROGRAM p\nINITIAL_STEP i: k(N); END_STEP\nTRANSITION FROM i TO i := a; "
+                          "END_TRANSITION\nACTION k:\n",
+                          "END_ACTION\nACTION last: LD a\nEND_ACTION\nEND_PROGRAM\n"};
+
+SyntaxTree parse_body(const std::vector<std::string>& body, const Frame& frame = program) {
+    std::string text = frame.head;
     for (const std::string& line : body)
         text += line + '\n';
-    return parse(SourceText(text + "END_PROGRAM\n"));
+    return parse(SourceText(text + frame.tail));
 }
 
 // With `line` put in at `place`, all others are read as before, and there is one report.
 void expect_lines_kept(std::vector<std::string> body, ast::NodeKind kind, const std::string& line,
-                       std::size_t place) {
-    const std::size_t before = count_nodes(parse_body(body), kind);
+                       std::size_t place, const Frame& frame = program) {
+    const std::size_t before = count_nodes(parse_body(body, frame), kind);
     body.insert(body.begin() + static_cast<std::ptrdiff_t>(place), line);
-    const SyntaxTree tree = parse_body(body);
+    const SyntaxTree tree = parse_body(body, frame);
     EXPECT_GE(count_nodes(tree, kind), before) << line << " at " << place;
     EXPECT_EQ(tree.diagnostics().size(), 1U) << line << " at " << place;
 }
@@ -69,6 +79,29 @@ TEST(BodyLanguage, OfInstructionsSurvivesALineOfAChart) {
     for (const char* const line : chart_lines)
         for (const std::size_t place : places)
             expect_lines_kept(instructions(), ast::NodeKind::il_simple_operation, line, place);
+}
+
+TEST(BodyLanguage, OfAnActionSurvivesALineOfAChart) {
+    for (const char* const line : chart_lines)
+        for (const std::size_t place : places) {
+            expect_lines_kept(statements(), ast::NodeKind::assignment_statement, line, place,
+                              action);
+            expect_lines_kept(instructions(), ast::NodeKind::il_simple_operation, line, place,
+                              action);
+        }
+}
+
+TEST(BodyLanguage, OfAnActionThatIsAChartSurvivesAFaultOfItsFirstWord) {
+    for (const char* const head :
+         {"", "n:", "x INITIAL_STEP n:", "INITIAL_STEP ; n:", "INITIAL_STEP n",
+          "INITIAL_STEP := n:", "INITAL_STEP n:", "' INITIAL_STEP n:"}) {
+        const SyntaxTree tree = parse_body({head, "m(N);", "END_STEP", "STEP o: m(N); END_STEP",
+                                            "TRANSITION FROM n TO o := a; END_TRANSITION"},
+                                           action);
+        EXPECT_EQ(count_nodes(tree, ast::NodeKind::sequential_function_chart), 2U) << head;
+        EXPECT_EQ(count_nodes(tree, ast::NodeKind::action), 2U) << head;
+        EXPECT_EQ(tree.diagnostics().size(), 1U) << head;
+    }
 }
 
 TEST(BodyLanguage, OfStatementsSurvivesAnInstruction) {
