@@ -69,9 +69,10 @@ namespace {
             break;
         ++behind;
     }
-    // Before another token of the same line, a comment speaks of that.
-    const bool more_on_line =
-        next < tokens.size() && unit.lines().line_of(tokens[next].offset()) == line;
+    // Before another token of the same line, a comment speaks of that, but for one behind a `;`.
+    const bool more_on_line = tokens[next - 1].kind() != TokenKind::semicolon &&
+                              next < tokens.size() &&
+                              unit.lines().line_of(tokens[next].offset()) == line;
     return comments_in(unit.trivia().subspan(first, more_on_line ? 0 : behind - first));
 }
 

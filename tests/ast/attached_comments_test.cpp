@@ -49,7 +49,7 @@ TEST(AttachedComments, AnEmptyLineParts) {
 }
 
 TEST(AttachedComments, OfTwoOnALineEachHasItsOwn) {
-    EXPECT_EQ(comments("a : INT; (*1*) b : INT; (*2*)"), (Comments{"|", "|(*2*)"}));
+    EXPECT_EQ(comments("a : INT; (*1*) b : INT; (*2*)"), (Comments{"|(*1*)", "|(*2*)"}));
 }
 
 TEST(AttachedComments, APragmaIsNone) {

@@ -16,6 +16,7 @@ struct AttachedComments {
     /// the last of them and the node.
     std::vector<Trivia> before;
     /// Those behind it, beginning on the line where the node ends; a `;` or `,` may stand between.
+    /// One before another token of that line speaks of that, but for one behind a `;`.
     std::vector<Trivia> behind;
 };
 
