@@ -4,6 +4,7 @@
 #include "lexer/comment_marks.hpp"
 #include "lexer/extents.hpp"
 #include "lexer/keywords.hpp"
+#include "lexer/literal_scanners.hpp"
 #include "lexer/meant_number.hpp"
 
 #include <iecfront/lexer/literals.hpp>
@@ -968,12 +969,16 @@ namespace {
     return *p == '*' || is_digit(*p) || (is_one_of(*p, "XBWDL") && is_digit(p[1]));
 }
 
+// By its opening quote.
+[[nodiscard]] TokenKind string_kind(const char* begin) noexcept {
+    return *begin == '"' ? TokenKind::double_byte_string : TokenKind::single_byte_string;
+}
+
 } // namespace
 
 const char* Lexer::string(const char* begin) {
     const char* const end = extents_.string_end(begin);
-    const TokenKind kind =
-        *begin == '"' ? TokenKind::double_byte_string : TokenKind::single_byte_string;
+    const TokenKind kind = string_kind(begin);
     if (const char* const whole_end = end_behind_inner_quote(end)) {
         const TextRange inner = range(end - 1, end);
         Diagnostic& diagnostic = report(DiagnosticId::quote_in_string, inner);
@@ -1018,7 +1023,8 @@ namespace {
 } // namespace
 
 // A quote that nothing closes in its line, which ends at `end`: one too many in `x := y';`, or
-// that of a string which the next line closes. Null when it is neither.
+// that of a string which the next line closes, or one with code behind its probable end. Null when
+// it is none of these.
 const char* Lexer::unclosed_string(const char* begin, const char* end) {
     result_.open_ended.push_back(offset(begin)); // what follows may be of other units
     if (is_stray_quote(begin)) {
@@ -1029,6 +1035,9 @@ const char* Lexer::unclosed_string(const char* begin, const char* end) {
         emit(TokenKind::unknown, begin, begin + 1, true);
         return begin + 1;
     }
+    const char* const code = begin + 1 + literals::length_before_code(view(begin + 1, end));
+    if (code != end)
+        return literal(string_kind(begin), begin, code);
     const char* const next = end + (*end == '\r' && end[1] == '\n' ? 2 : 1);
     if (!is_line_end(*end) || view(begin, end).find(';') != std::string_view::npos)
         return nullptr;
@@ -1038,8 +1047,7 @@ const char* Lexer::unclosed_string(const char* begin, const char* end) {
     Diagnostic& diagnostic = report(DiagnosticId::unterminated_string, range(begin, begin + 1));
     diagnostic.arguments.emplace_back(std::string{'`', *begin, '`'});
     add_replacement(diagnostic, range(end, Extents::blanks_end(next)), "$N");
-    emit(*begin == '"' ? TokenKind::double_byte_string : TokenKind::single_byte_string, begin,
-         close + 1, true);
+    emit(string_kind(begin), begin, close + 1, true);
     return close + 1;
 }
 

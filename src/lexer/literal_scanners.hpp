@@ -22,6 +22,10 @@ using NumericValue = std::variant<std::monostate, IntegerValue, RealValue>;
 bool scan_string(std::string_view text, Encoding encoding, LiteralFaults& faults,
                  std::vector<StringElement>* elements);
 
+// How much of `content`, the rest of a line behind an opening quote that nothing closes, stands in
+// the string: all of it, unless there is code behind the string's probable end.
+[[nodiscard]] std::size_t length_before_code(std::string_view content) noexcept;
+
 DurationValue scan_duration(std::string_view text, Encoding encoding, LiteralFaults& faults);
 DateValue scan_date(std::string_view text, Encoding encoding, LiteralFaults& faults);
 TimeOfDayValue scan_time_of_day(std::string_view text, Encoding encoding, LiteralFaults& faults);

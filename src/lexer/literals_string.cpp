@@ -1,6 +1,8 @@
 #include "lexer/keywords.hpp"
 #include "lexer/literal_scanners.hpp"
 
+#include <iecfront/lexer/name.hpp>
+
 #include <algorithm>
 #include <array>
 
@@ -50,15 +52,19 @@ std::size_t without_trailing_comment(std::string_view text, std::size_t end) noe
     return begin == std::string_view::npos ? end : without_trailing_blanks(text, begin);
 }
 
-// THEN, DO or OF behind the last blank is no part of the string.
+// THEN, DO or OF
+bool follows_expression(std::string_view word) noexcept {
+    const TokenKind kind = keyword_kind(word);
+    return kind == TokenKind::kw_then || kind == TokenKind::kw_do || kind == TokenKind::kw_of;
+}
+
+// Such a word behind the last blank is no part of the string.
 std::size_t without_trailing_word(std::string_view content, std::size_t end) noexcept {
     const std::size_t blank = content.substr(0, end).find_last_of(" \t");
-    if (blank == std::string_view::npos)
+    if (blank == std::string_view::npos ||
+        !follows_expression(content.substr(blank + 1, end - blank - 1)))
         return end;
-    const TokenKind word = keyword_kind(content.substr(blank + 1, end - blank - 1));
-    const bool behind_expression =
-        word == TokenKind::kw_then || word == TokenKind::kw_do || word == TokenKind::kw_of;
-    return behind_expression ? without_trailing_blanks(content, blank) : end;
+    return without_trailing_blanks(content, blank);
 }
 
 // Where the quote is missing that closes `content`, the rest of a line: before what ends the
@@ -75,6 +81,16 @@ std::size_t probable_end(std::string_view content) noexcept {
     for (; end > 0 && content[end - 1] == ')' && surplus > 0; --surplus)
         end = without_trailing_blanks(content, end - 1);
     return end;
+}
+
+// True for an assignment or a closing word: what may follow a `;` in a text is neither.
+bool begins_with_code(std::string_view text) noexcept {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    const auto word_end = std::find_if_not(text.begin(), text.end(), is_word_part);
+    const auto length = static_cast<std::size_t>(word_end - text.begin());
+    const std::size_t behind = text.find_first_not_of(" \t", length);
+    return length > 0 && (names_equal(text.substr(0, std::min(length, std::size_t{4})), "END_") ||
+                          (behind != text.npos && text.substr(behind).starts_with(":=")));
 }
 
 // ---- the scanner -------------------------------------------------------------------------------
@@ -372,6 +388,18 @@ bool scan_string(std::string_view text, Encoding encoding, LiteralFaults& faults
                  std::vector<StringElement>* elements) {
     LiteralReader reader(text, encoding, faults);
     return StringScanner(reader, elements).scan();
+}
+
+std::size_t length_before_code(std::string_view content) noexcept {
+    for (std::size_t at = 0; at < content.size();) {
+        const std::size_t begin = at++;
+        while (is_word_part(content[begin]) && at < content.size() && is_word_part(content[at]))
+            ++at;
+        const std::string_view word = content.substr(begin, at - begin);
+        if ((word == ";" || follows_expression(word)) && begins_with_code(content.substr(at)))
+            return probable_end(content.substr(0, at));
+    }
+    return content.size();
 }
 
 } // namespace iecfront::literals
