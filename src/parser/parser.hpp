@@ -354,6 +354,7 @@ private:
     ast::List<ast::EnumeratedValueDeclaration> parse_enumerated_value_list();
     const ast::TypeSpecification* parse_enumeration_of(const ast::TypeSpecification* base);
     const ast::EnumeratedValueDeclaration* parse_enumerated_value_declaration();
+    [[nodiscard]] bool at_initial_value_behind_open_list() const noexcept;
     const ast::TypeSpecification* parse_array_specification();
     ast::List<ast::Subrange> parse_subranges();
     bool accept_comma_look_alike();
@@ -592,6 +593,7 @@ private:
     [[nodiscard]] bool at_misspelt_else() const noexcept;
     [[nodiscard]] bool at_misspelt_until() const noexcept;
     [[nodiscard]] bool at_while_for_until();
+    [[nodiscard]] bool at_condition_without_until() const noexcept;
     void open_statement(TokenKind opener, TokenKind closer);
     [[nodiscard]] TokenKind missing_opener();
     [[nodiscard]] std::uint32_t find_on_line(TokenKind word) const noexcept;

@@ -416,7 +416,7 @@ void Parser::expect_semicolon_of_declaration() {
     const bool missing = at(block_words) || at_misspelt_closer() || at(statement_words) ||
                          token().first_on_line() || at_declaration_start();
     if (missing) {
-        report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+        report_missing_semicolon();
         return;
     }
     report_unexpected("`;`");
@@ -433,7 +433,8 @@ void Parser::report_missing_semicolon() {
         return;
     }
     for (DiagnosticFix& fix : diagnostics_.back().fixes)
-        fix.edits.back().replacement += ';';
+        if (fix.edits.back().range.end == previous_end())
+            fix.edits.back().replacement += ';';
 }
 
 } // namespace iecfront

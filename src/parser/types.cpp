@@ -434,7 +434,10 @@ ast::List<ast::EnumeratedValueDeclaration> Parser::parse_enumerated_value_list()
         values.add(value = parse_enumerated_value_declaration());
     } while (accept(TokenKind::comma) || (at(TokenKind::identifier) && accept_missing_comma()) ||
              accept_semicolon_for_comma(TokenKind::right_parenthesis, semicolons));
-    expect_closing(TokenKind::right_parenthesis);
+    if (at(TokenKind::assign))
+        expect(TokenKind::right_parenthesis);
+    else
+        expect_closing(TokenKind::right_parenthesis);
     return values.finish();
 }
 
@@ -463,12 +466,19 @@ const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaratio
             (peek() == TokenKind::comma || peek() == TokenKind::right_parenthesis))
             advance();
     }
-    if (at(TokenKind::assign)) {
+    if (at(TokenKind::assign) && !at_initial_value_behind_open_list()) {
         report(DiagnosticId::enumerated_value_given, token().range());
         advance();
         node->value = parse_expression();
     }
     return finish(node);
+}
+
+/// `(Idle, Heat := Idle;`: a number that is given to a value is no name, and the list goes on or is
+/// closed behind it.
+bool Parser::at_initial_value_behind_open_list() const noexcept {
+    const bool name = peek() == TokenKind::identifier || peek() == TokenKind::enumerated_value;
+    return at(TokenKind::assign) && name && peek_second() == TokenKind::semicolon;
 }
 
 /// The closing bracket of a list in which no more element can be read.
@@ -760,17 +770,21 @@ const ast::Expression* Parser::parse_initial_value() {
     return value;
 }
 
-/// `(a = 1)` behind the `:=` of a derived type or a structure element. Behind that of an elementary
-/// type it compares.
+/// `(a = 1)` behind the `:=` of a derived type or a structure element, or in a list of an array's
+/// initial values. Behind the `:=` of an elementary type it compares.
 bool Parser::at_equal_in_structure() const noexcept {
     static constexpr TokenSet before{TokenKind::assign, TokenKind::equal, TokenKind::equal_equal};
+    if (!before.contains(peek_second()) || peek() != TokenKind::identifier || at_ < 2)
+        return false;
+    const TokenKind second = tokens_[at_ - 2].kind();
+    const TokenKind first = tokens_[at_ - 1].kind();
+    const bool in_list = first == TokenKind::left_bracket || first == TokenKind::comma ||
+                         (first == TokenKind::left_parenthesis && second == TokenKind::integer);
     std::uint32_t value = next(next(next(at_)));
     if (tokens_[value].kind() == TokenKind::minus)
         value = next(value);
     const TokenKind behind = tokens_[next(value)].kind();
-    return before.contains(peek_second()) && peek() == TokenKind::identifier && at_ > 1 &&
-           before.contains(tokens_[at_ - 1].kind()) &&
-           tokens_[at_ - 2].kind() == TokenKind::identifier &&
+    return (in_list || (before.contains(first) && second == TokenKind::identifier)) &&
            (tokens_[value].kind() == TokenKind::left_parenthesis ||
             behind == TokenKind::right_parenthesis || behind == TokenKind::comma);
 }
