@@ -78,7 +78,8 @@ bool Parser::at_end_of_statements() {
     if (innermost == TokenKind::kw_end_case && (at_case_label() || at_repeated_case()))
         return !open_.back().in_else;
     if ((innermost == TokenKind::kw_end_if && (at_misspelt_elsif() || at_missing_elsif())) ||
-        at_misspelt_else() || at_misspelt_until() || at_while_for_until())
+        at_misspelt_else() || at_misspelt_until() || at_while_for_until() ||
+        at_condition_without_until())
         return true;
     // A label inside another statement: that statement is not closed.
     if ((token().first_on_line() || at(TokenKind::integer)) && is_open(TokenKind::kw_end_case) &&
@@ -150,6 +151,37 @@ bool Parser::at_misspelt_until() const noexcept {
 bool Parser::at_while_for_until() {
     return at(TokenKind::kw_while) && open_.back().closer == TokenKind::kw_end_repeat &&
            unclosed(TokenKind::kw_end_while) > 0 && find_on_line(TokenKind::kw_do) == count_;
+}
+
+/// A condition as the last statement before END_REPEAT: an operation, or a variable alone. The
+/// first statement of the list is none, for that list must not be empty.
+bool Parser::at_condition_without_until() const noexcept {
+    static constexpr TokenSet words_of_conditions{TokenKind::kw_not, TokenKind::kw_true,
+                                                  TokenKind::kw_false};
+    static constexpr TokenSet marks_of_statements{TokenKind::assign, TokenKind::output_arrow,
+                                                  TokenKind::colon};
+    const OpenBlock& block = open_.back();
+    if (block.closer != TokenKind::kw_end_repeat || at_ == next(block.opener) ||
+        !(begins_operand(kind()) || at(TokenKind::kw_not)))
+        return false;
+    bool is_condition = !at(TokenKind::left_parenthesis) && peek() != TokenKind::left_parenthesis;
+    std::uint32_t depth = 0;
+    std::uint32_t i = at_;
+    for (std::uint32_t steps = 0; steps < furthest_on_line; i = next(i), ++steps) {
+        const TokenKind here = tokens_[i].kind();
+        const bool operation = operator_strength(here) > 0;
+        const bool in_expression =
+            operation || !is_keyword(here) || words_of_conditions.contains(here);
+        if (here == TokenKind::semicolon || !in_expression ||
+            (depth == 0 && marks_of_statements.contains(here)))
+            break;
+        depth += here == TokenKind::left_parenthesis ? 1 : 0;
+        depth -= here == TokenKind::right_parenthesis && depth > 0 ? 1 : 0;
+        is_condition = is_condition || (operation && depth == 0);
+    }
+    if (tokens_[i].kind() == TokenKind::semicolon)
+        i = next(i);
+    return is_condition && tokens_[i].kind() == TokenKind::kw_end_repeat;
 }
 
 bool Parser::begins_operand_on_line(std::uint32_t index) const noexcept {
@@ -1188,18 +1220,21 @@ const ast::Statement* Parser::parse_repeat_statement() {
     open_statement(TokenKind::kw_repeat, TokenKind::kw_end_repeat);
     node->statements = parse_statement_list("after REPEAT");
     const bool misspelt = at_misspelt_until();
-    std::optional<Report> while_for_until;
+    std::optional<Report> without_until;
     if (misspelt) {
         accept_misspelt(TokenKind::kw_until);
     } else if (at_while_for_until()) {
         --unclosed(TokenKind::kw_end_while);
-        while_for_until.emplace(accept_as(TokenKind::kw_until));
+        without_until.emplace(accept_as(TokenKind::kw_until));
+    } else if (at_condition_without_until()) {
+        without_until.emplace(report_missing(DiagnosticId::missing_token, {"`UNTIL`"})
+                                  .insert(token().offset(), "UNTIL "));
     }
-    if (misspelt || while_for_until || accept(TokenKind::kw_until)) {
+    if (misspelt || without_until || accept(TokenKind::kw_until)) {
         node->condition = parse_condition();
         if (at(TokenKind::semicolon) && peek() == TokenKind::kw_end_repeat) {
-            if (while_for_until && *while_for_until)
-                while_for_until->also_remove(token().range());
+            if (without_until && *without_until)
+                without_until->also_remove(token().range());
             else
                 report_unexpected("`END_REPEAT`").remove(token().range());
             advance();
