@@ -175,13 +175,25 @@ const char* Extents::duration_end(const char* p) const noexcept {
 
 // A separator is taken while the literal still needs it, or when a digit follows: so what is to be
 // subtracted from a whole date or time is left alone.
+// The second `/` of `/06/25`, from the first one; else null.
+[[nodiscard]] static const char* second_slash(const char* p) noexcept {
+    if (*p++ != '/' || !is_digit(*p))
+        return nullptr;
+    while (is_digit(*p))
+        ++p;
+    return *p == '/' && is_digit(p[1]) ? p : nullptr;
+}
+
 const char* Extents::date_end(TokenKind kind, const char* p) const noexcept {
     unsigned dashes = kind == TokenKind::time_of_day ? 0 : 2;
     unsigned colons = kind == TokenKind::date ? 0 : 2;
     if (*p == '+' && is_digit(p[1]))
         ++p;
     for (p = word_end(p);; p = word_end(p)) {
-        if (*p == '-' && (dashes != 0 || is_digit(p[1])))
+        if (const char* const second = dashes == 2 ? second_slash(p) : nullptr) {
+            dashes = 0;
+            p = second;
+        } else if (*p == '-' && (dashes != 0 || is_digit(p[1])))
             dashes -= dashes != 0 ? 1 : 0;
         else if (*p == ':' && p[1] != '=' && (colons != 0 || is_digit(p[1])))
             colons -= colons != 0 ? 1 : 0;

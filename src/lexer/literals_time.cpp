@@ -81,7 +81,8 @@ private:
     void sign();
     [[nodiscard]] bool begins_with_value() const noexcept;
     bool part();
-    void inner_sign();
+    [[nodiscard]] bool inner_sign();
+    [[nodiscard]] bool smaller_unit_follows() const noexcept;
     bool number();
     void report_missing_number(std::uint32_t begin);
     [[nodiscard]] std::size_t unit(TextRange letters);
@@ -139,8 +140,7 @@ bool DurationScanner::begins_with_value() const noexcept {
 // One number with its unit. False when the rest is guesswork.
 bool DurationScanner::part() {
     const TextRange fraction_before = fraction_;
-    inner_sign();
-    if (!number())
+    if (!inner_sign() || !number())
         return false;
     const TextRange letters = reader_.letters();
     const std::size_t found = unit(letters);
@@ -160,18 +160,31 @@ bool DurationScanner::part() {
     return true;
 }
 
-// `T#1h-5m`: a difference, or one duration? Of `+` there is no doubt.
-void DurationScanner::inner_sign() {
+// `T#1h-5m`: a difference, or one duration? Of `+` there is no doubt. `T#5m+1h` can only be two
+// durations: false then.
+bool DurationScanner::inner_sign() {
     if (parts_ == 0 || !is_sign(reader_.peek()))
-        return;
-    const std::uint32_t begin = reader_.at();
+        return true;
+    const std::string sign(1, reader_.peek());
+    const TextRange range{reader_.at(), reader_.at() + 1};
+    reader_.move_to(range.end);
+    const bool one = smaller_unit_follows();
     std::vector<DiagnosticFix> fixes;
-    if (reader_.accept('+'))
-        fixes.push_back(removal(reader_.from(begin)));
-    else
-        reader_.accept('-');
-    reader_.faults().report(DiagnosticId::sign_inside_duration, reader_.from(begin), {},
-                            std::move(fixes));
+    if (!one)
+        fixes.push_back(replacement(range, ' ' + sign + ' ' + reader_.words({0, begin_})));
+    else if (sign == "+")
+        fixes.push_back(removal(range));
+    reader_.faults().report(DiagnosticId::sign_inside_duration, range, {}, std::move(fixes));
+    return one;
+}
+
+bool DurationScanner::smaller_unit_follows() const noexcept {
+    std::string_view name = reader_.rest();
+    name.remove_prefix(std::min(name.find_first_not_of("0123456789_."), name.size()));
+    const auto end = std::find_if_not(name.begin(), name.end(), is_ascii_letter);
+    name = name.substr(0, static_cast<std::size_t>(end - name.begin()));
+    return std::none_of(units.begin(), units.begin() + previous_ + 1,
+                        [&](const DurationUnit& unit) { return names_equal(unit.name, name); });
 }
 
 // fixed_point; false when there is none.
@@ -310,7 +323,7 @@ public:
     // False when the form is wrong, and the rest guesswork.
     bool date(DateValue& value);
     bool time_of_day(TimeOfDayValue& value);
-    bool accept(char separator, DiagnosticId fault);
+    bool accept_before_time();
     void finish(DiagnosticId fault);
 
 private:
@@ -320,10 +333,14 @@ private:
     };
 
     bool field(Field& field, DiagnosticId fault);
+    bool accept(char separator, DiagnosticId fault);
+    char dash_behind(const Field& year);
+    bool day_field(Field& day);
     void check_year(const Field& year);
     void check_day(const Field& year, const Field& month, const Field& day);
     void check_time(const Field& field, std::uint64_t highest, DiagnosticId fault);
     std::uint32_t nanosecond();
+    [[nodiscard]] std::string form() const;
     void report_form(DiagnosticId fault);
 
     LiteralReader& reader_;
@@ -342,13 +359,60 @@ bool CalendarScanner::date(DateValue& value) {
     Field year;
     Field month;
     Field day;
-    if (!field(year, fault) || !accept('-', fault) || !field(month, fault) || !accept('-', fault) ||
-        !field(day, fault))
+    if (!field(year, fault))
+        return false;
+    const char dash = dash_behind(year);
+    if (!accept(dash, fault) || !field(month, fault) || !accept(dash, fault) || !day_field(day))
         return false;
     check_year(year);
     check_day(year, month, day);
     value = {static_cast<std::uint16_t>(year.value), static_cast<std::uint8_t>(month.value),
              static_cast<std::uint8_t>(day.value)};
+    return true;
+}
+
+// What stands in both places of `-`: `/` and `.` are reported as one mistake.
+char CalendarScanner::dash_behind(const Field& year) {
+    const std::string_view rest = reader_.rest();
+    const char found = reader_.peek();
+    const std::size_t month_end = rest.find_first_not_of("0123456789", 1);
+    const bool twice = (found == '/' || found == '.') && year.range.size() == 4 &&
+                       month_end != rest.npos && rest[month_end] == found;
+    if (!twice)
+        return '-';
+    const TextRange first{reader_.at(), reader_.at() + 1};
+    const auto second_begin = static_cast<std::uint32_t>(reader_.at() + month_end);
+    const TextRange second{second_begin, second_begin + 1};
+    const DiagnosticFix fix{{TextEdit{first, "-"}, TextEdit{second, "-"}}};
+    reader_.faults().report(DiagnosticId::malformed_date, first, {form()}, {fix});
+    return found;
+}
+
+// An underscore before the time, `25_15:36:55`, stands for the dash.
+bool CalendarScanner::day_field(Field& day) {
+    constexpr std::string_view digits = "0123456789";
+    const std::string_view rest = reader_.rest();
+    const std::size_t day_end = std::min(rest.find_first_not_of(digits), rest.size());
+    const std::size_t behind = rest.find_first_not_of(digits, day_end + 1);
+    if (day_end == 0 || !rest.substr(day_end).starts_with('_') || behind == rest.npos ||
+        rest[behind] != ':')
+        return field(day, DiagnosticId::malformed_date);
+    const std::uint32_t begin = reader_.at();
+    reader_.move_to(begin + static_cast<std::uint32_t>(day_end));
+    day.range = reader_.from(begin);
+    day.value = magnitude_of(reader_.view(day.range), 10).value;
+    return true;
+}
+
+// The `-` before a time of day, or what other notations have in its place.
+bool CalendarScanner::accept_before_time() {
+    const TextRange here{reader_.at(), reader_.at() + 1};
+    const std::string_view rest = reader_.rest();
+    if (rest.size() < 2 || !is_digit(rest[1]) || (rest[0] != '_' && fold(rest[0]) != 'T'))
+        return accept('-', DiagnosticId::malformed_time_of_day);
+    reader_.move_to(here.end);
+    reader_.faults().report(DiagnosticId::malformed_time_of_day, here, {form()},
+                            {replacement(here, "-")});
     return true;
 }
 
@@ -425,10 +489,13 @@ std::uint32_t CalendarScanner::nanosecond() {
     return static_cast<std::uint32_t>(fraction.product);
 }
 
-void CalendarScanner::report_form(DiagnosticId fault) {
+std::string CalendarScanner::form() const {
     const std::string_view text = reader_.text();
-    const std::string form = std::string(text.substr(0, text.find('#') + 1)) + std::string(form_);
-    reader_.faults().report(fault, reader_.to_end(), {form});
+    return std::string(text.substr(0, text.find('#') + 1)) + std::string(form_);
+}
+
+void CalendarScanner::report_form(DiagnosticId fault) {
+    reader_.faults().report(fault, reader_.to_end(), {form()});
 }
 
 // Runs a scanner for its value alone.
@@ -470,7 +537,7 @@ DateAndTimeValue scan_date_and_time(std::string_view text, Encoding encoding,
     CalendarScanner scanner(reader, "1984-06-25-15:36:55.36");
     DateAndTimeValue value;
     if (scanner.prefix(TokenKind::kw_dt, TokenKind::kw_date_and_time) && scanner.date(value.date) &&
-        scanner.accept('-', DiagnosticId::malformed_time_of_day) && scanner.time_of_day(value.time))
+        scanner.accept_before_time() && scanner.time_of_day(value.time))
         scanner.finish(DiagnosticId::malformed_time_of_day);
     return value;
 }
