@@ -1191,6 +1191,36 @@ namespace {
            std::ranges::find(openers, kind) != openers.end();
 }
 
+// `Author: somebody`. Behind a label of code stands an operator, mostly in capitals, or a
+// statement.
+[[nodiscard]] bool is_entry_of_head(std::string_view line) noexcept {
+    const auto take_word = [&line] {
+        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+        const auto end = std::ranges::find_if_not(line, is_word_part);
+        const auto word = line.substr(0, static_cast<std::size_t>(end - line.begin()));
+        line.remove_prefix(word.size());
+        return word;
+    };
+    const bool ends_statement = line.find(';') != line.npos;
+    const std::string_view entry = take_word();
+    const std::size_t colon = line.find_first_not_of(" \t");
+    if (ends_statement || entry.empty() || is_digit(entry.front()) ||
+        keyword_kind(entry) == TokenKind::kw_else || colon == line.npos || line[colon] != ':')
+        return false;
+    line.remove_prefix(colon + 1);
+    const std::string_view word = take_word();
+    const auto is_small = [](char c) { return fold(c) != c || is_digit(c); };
+    return keyword_kind(word) == TokenKind::identifier && std::ranges::any_of(word, is_small);
+}
+
+// A rule of dashes, or an empty line, which prose may go on behind.
+[[nodiscard]] bool has_no_words(std::string_view line) noexcept {
+    constexpr std::string_view code = ";'\"(){}/";
+    return std::ranges::none_of(line, [code](char c) {
+        return is_word_part(c) || !is_ascii(c) || code.find(c) != code.npos;
+    });
+}
+
 // True when the line has three words in a row that are no keywords, or two of which the first is
 // too long for an operator of Instruction List: so is prose, and so is hardly any code.
 [[nodiscard]] bool looks_like_prose(std::string_view line) noexcept {
@@ -1198,6 +1228,8 @@ namespace {
     for (const std::string_view mark : {":=", "=>", "(*", "/*", "//"})
         if (line.find(mark) != std::string_view::npos)
             return false;
+    if (is_entry_of_head(line))
+        return true;
     std::size_t words = 0; // in a row
     bool first_is_long = false;
     bool prose = false;
@@ -1214,7 +1246,8 @@ namespace {
         const TokenKind kind = keyword_kind(word);
         if (is_word_of_structure(word, kind))
             return false;
-        const bool plain = kind == TokenKind::identifier && !is_digit(word.front());
+        const bool plain =
+            is_digit(word.front()) ? words > 0 : kind == TokenKind::identifier; // `Version 1.2`
         words = plain ? words + 1 : 0;
         first_is_long = words == 1 ? word.size() > longest_operator : first_is_long;
         prose = prose || words == 3 || (words == 2 && first_is_long);
@@ -1229,13 +1262,18 @@ const char* Lexer::end_of_prose(const char* begin, std::string_view opening,
                                 std::string_view closing) {
     const char* end =
         end_of_first_line(begin, DiagnosticId::unterminated_comment, opening, closing);
-    while (end != end_) {
-        const char* const line = end + (end[0] == '\r' && end[1] == '\n' ? 2 : 1);
-        const char* const next = line_end(line);
-        if (!looks_like_prose(view(line, next)))
+    const char* line_feed = line_feed_;
+    for (const char* p = end; p != end_;) {
+        const char* const line = p + (p[0] == '\r' && p[1] == '\n' ? 2 : 1);
+        p = line_end(line);
+        if (looks_like_prose(view(line, p))) {
+            end = p;
+            line_feed = line_feed_;
+        } else if (!has_no_words(view(line, p))) {
             break;
-        end = next;
+        }
     }
+    line_feed_ = line_feed; // what follows is read from `end` on
     return end;
 }
 

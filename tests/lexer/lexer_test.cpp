@@ -673,6 +673,10 @@ TEST(Lexer, HostileTextsTakeLinearTime) {
     EXPECT_EQ(lexed(repeated("(*", many)).trivia.size(), 1U);
     EXPECT_EQ(lexed(repeated("(*\n", many)).trivia.size(), many);
     EXPECT_EQ(lexed(repeated("/*\n", many)).trivia.size(), many);
+    EXPECT_EQ(lexed(repeated("(*\n\nx\n", many)).trivia.size(), many);
+    EXPECT_EQ(lexed(repeated("(*\r\rx\r", many)).trivia.size(), many);
+    EXPECT_EQ(lexed("(*" + repeated("\n--", many)).trivia.size(), 1U);
+    EXPECT_EQ(lexed("'" + repeated("THEN;a ", many)).tokens.size(), 2U);
     EXPECT_EQ(lexed(repeated("{", many)).trivia.size(), 1U);
     EXPECT_EQ(lexed(repeated("{\n", many)).trivia.size(), many);
     EXPECT_EQ(lexed(repeated("//\r", many)).trivia.size(), many);
