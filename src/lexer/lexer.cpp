@@ -113,6 +113,7 @@ private:
     void report_type_of_literal(const char* begin, const char* prefix_end, const char* end);
     const char* spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps);
     [[nodiscard]] static Gaps gaps_of(std::initializer_list<TextRange> ranges);
+    [[nodiscard]] Gaps take_back_gaps(Token literal);
     const char* found_literal(const char* begin, const char* prefix_end, const Found& found);
     bool find_prefixed(const char* begin, const char* prefix_end, Found& found) const;
     bool find_based(const char* begin, const char* prefix_end, const char* body,
@@ -646,6 +647,20 @@ Gaps Lexer::gaps_of(std::initializer_list<TextRange> ranges) {
     return gaps;
 }
 
+// The gaps that were reported inside a literal which goes on: all of them are one mistake.
+Gaps Lexer::take_back_gaps(Token literal) {
+    if (result_.diagnostics.empty())
+        return {};
+    Diagnostic& last = result_.diagnostics.back();
+    const bool of_gap = last.id == DiagnosticId::white_space_in_literal ||
+                        last.id == DiagnosticId::comment_in_literal;
+    if (!of_gap || last.range.begin < literal.offset())
+        return {};
+    Gaps gaps = std::move(last.fixes.front().edits);
+    result_.diagnostics.pop_back();
+    return gaps;
+}
+
 // `T#5 s`, `D#1984 - 06 - 25`, `DT#1984-06-25 15:36:55`: the longest text from `begin` on that is a
 // literal without a fault once its gaps are closed. Null when there is none behind `end`.
 const char* Lexer::literal_with_gaps(TokenKind kind, const char* begin, const char* end) {
@@ -834,9 +849,12 @@ bool Lexer::lacks_duration_prefix(const char* begin, const char* end) const {
 const char* Lexer::duration_without_prefix(const char* begin, const char* end) {
     if (has_tokens() && last_token().kind() == TokenKind::duration) {
         const char* const before_end = begin_ + last_token().end();
-        if (before_end != begin && Extents::gap_end(before_end) == begin) // `T#1m 5s`
+        if (before_end != begin && Extents::gap_end(before_end) == begin) { // `T#1m 5s`
+            Gaps gaps = take_back_gaps(last_token());
+            gaps.push_back({range(before_end, begin), {}});
             return spaced_literal(TokenKind::duration, begin_ + take_back().offset(), end,
-                                  gaps_of({range(before_end, begin)}));
+                                  std::move(gaps));
+        }
     }
     Diagnostic& diagnostic = report(DiagnosticId::duration_without_prefix, range(begin, end));
     add_replacement(diagnostic, range(begin, begin), "T#");
