@@ -141,7 +141,7 @@ ast::List<ast::Node> Parser::parse_configuration_elements(Place place) {
 
 bool Parser::at_end_of_configuration_elements(Place place) {
     if (at(TokenKind::end_of_unit) || at_library_element_closer() || at_misspelt_closer() ||
-        at_foreign_closer())
+        at_foreign_closer() || at_unknown_closer_for_innermost())
         return true;
     if (at(TokenKind::kw_end_resource)) // it can stand for END_CONFIGURATION at the very end
         return place == Place::resource ||
@@ -151,6 +151,19 @@ bool Parser::at_end_of_configuration_elements(Place place) {
     return misspelt_configuration_word() == TokenKind::kw_resource ||
            ((at(TokenKind::kw_var_access) || at(TokenKind::kw_var_config)) &&
             unclosed(TokenKind::kw_end_resource) > 0);
+}
+
+/// `END_TASK`, which no edition has.
+bool Parser::at_unknown_closer() const noexcept {
+    return at(TokenKind::identifier) && names_equal(text(at_).substr(0, 4), "END_") &&
+           (peek() == TokenKind::semicolon || tokens_[next(at_)].first_on_line());
+}
+
+/// Such a word where the closing word of the resource or configuration is missing.
+bool Parser::at_unknown_closer_for_innermost() {
+    static constexpr TokenSet of_parts{TokenKind::kw_end_resource, TokenKind::kw_end_configuration};
+    return at_unknown_closer() && of_parts.contains(open_.back().closer) &&
+           unclosed(open_.back().closer) > 0;
 }
 
 /// Part of configuration_declaration, resource_declaration: one of what they hold, in any order.
@@ -180,11 +193,13 @@ const ast::Node* Parser::parse_configuration_element(Place place) {
     default: break;
     }
     auto* skipped = make<ast::SkippedText>();
-    if (at(TokenKind::kw_end_resource)) {
-        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
-            .remove(token().range());
+    if (at(TokenKind::kw_end_resource) || at_unknown_closer()) {
+        Report stray = report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
         advance();
-        return finish(skipped);
+        accept(TokenKind::semicolon);
+        finish(skipped);
+        stray.remove(token_range(skipped->first_token, skipped->end_token));
+        return skipped;
     }
     report_at(at_, DiagnosticId::not_a_declaration,
               {"RESOURCE, TASK, PROGRAM or a declaration block", describe(at_)});
@@ -199,9 +214,10 @@ const ast::Node* Parser::parse_configuration_element(Place place) {
 TokenKind Parser::misspelt_configuration_word() const noexcept {
     if (at(element_words))
         return kind();
-    if (!at(TokenKind::identifier) || peek() != TokenKind::identifier)
+    const bool qualified = peek() == TokenKind::kw_retain || peek() == TokenKind::kw_non_retain;
+    if (!at(TokenKind::identifier) || (!qualified && peek() != TokenKind::identifier))
         return TokenKind::end_of_unit;
-    switch (peek_second()) {
+    switch (qualified ? TokenKind::kw_with : peek_second()) {
     case TokenKind::kw_on:
         return is_misspelling(text(at_), "RESOURCE") ? TokenKind::kw_resource
                                                      : TokenKind::end_of_unit;

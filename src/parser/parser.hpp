@@ -499,6 +499,8 @@ private:
     const ast::ConfigurationDeclaration* parse_configuration_declaration();
     const ast::Identifier* parse_configuration_name();
     [[nodiscard]] TokenKind misspelt_configuration_word() const noexcept;
+    [[nodiscard]] bool at_unknown_closer() const noexcept;
+    [[nodiscard]] bool at_unknown_closer_for_innermost();
     const ast::ResourceDeclaration* parse_resource_declaration();
     ast::List<ast::Node> parse_configuration_elements(Place place);
     [[nodiscard]] bool at_end_of_configuration_elements(Place place);

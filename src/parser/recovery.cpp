@@ -258,7 +258,7 @@ void Parser::close_block(std::string_view terminator) {
                 .replace(words, closer);
         advance();
         --unclosed(block.closer);
-    } else if (at_mismatched_closer()) {
+    } else if (at_mismatched_closer() || at_unknown_closer_for_innermost()) {
         report_at(at_, DiagnosticId::mismatched_closing_word,
                   {std::string(text(at_)), std::string(text(block.opener)), closer})
             .label(LabelId::opened_here, block.opener)
