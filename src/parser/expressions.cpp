@@ -512,9 +512,28 @@ const ast::Expression* Parser::parse_selectors(const ast::Expression* head) {
         case TokenKind::left_bracket: head = parse_subscripts(head); break;
         case TokenKind::dot: head = parse_field(head); break;
         case TokenKind::left_parenthesis: head = parse_call(head); break;
+        case TokenKind::dot_dot:
+            if (!at_doubled_dot())
+                return head;
+            report_unexpected("`.`").replace(token().range(), ".");
+            head = parse_field(head);
+            break;
         default: return head;
         }
     }
+}
+
+/// `a..b := 1`: between two names in a statement, where nothing behind them makes them the bounds
+/// of a subrange.
+bool Parser::at_doubled_dot() const noexcept {
+    static constexpr TokenSet declarations{TokenKind::kw_end_var, TokenKind::kw_end_type,
+                                           TokenKind::kw_end_struct};
+    static constexpr TokenSet behind_member{TokenKind::assign, TokenKind::semicolon, TokenKind::dot,
+                                            TokenKind::left_bracket, TokenKind::kw_then};
+    return peek() == TokenKind::identifier && adjoins_next() && !open_.empty() &&
+           !declarations.contains(open_.back().closer) && at_ > 0 &&
+           tokens_[at_ - 1].end() == token().offset() &&
+           (behind_member.contains(peek_second()) || operator_strength(peek_second()) > 0);
 }
 
 // subscript_list = "[" subscript { "," subscript } "]" ;

@@ -544,6 +544,7 @@ private:
     const ast::Expression* parse_selectors(const ast::Expression* head);
     const ast::Expression* parse_subscripts(const ast::Expression* head);
     const ast::Expression* parse_field(const ast::Expression* head);
+    [[nodiscard]] bool at_doubled_dot() const noexcept;
     [[nodiscard]] bool follows_operator(std::uint32_t index) const noexcept;
     const ast::Expression* parse_call(const ast::Expression* callee);
     void check_has_parts(const ast::Expression& variable);
