@@ -516,6 +516,11 @@ bool Lexer::find_of_named_type(std::string_view prefix, const char* body, Found&
     const bool spaced = !found.gaps.empty();
     if (is_word_start(*body) || (!is_ascii(*body) && extents_.foreign_letter_size(body) != 0)) {
         found.end = extents_.word_end(body);
+        if (!spaced && *found.end == '#' &&
+            kind_of_prefix(view(body, found.end)) != TokenKind::enumerated_value) { // `a#T#5s`
+            found.of_named_type = true;
+            return find_prefixed(body, found.end, found) && found.gaps.empty();
+        }
         return !spaced || keyword_kind(view(body, found.end)) == TokenKind::identifier;
     }
     if (!begins_number(body) && (spaced || !is_quote(*body)))
