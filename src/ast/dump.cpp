@@ -185,8 +185,10 @@ public:
     }
 
 private:
-    // Of a node without tokens: behind the token before it, see `Unit::range`.
+    // Of a node without tokens, see `Unit::range`.
     [[nodiscard]] Position place(const Node& node) const {
+        if (node.kind == ast::NodeKind::empty_statement)
+            return begins_[node.first_token];
         return node.first_token == 0 ? unit_begin_ : ends_[node.first_token - 1];
     }
 

@@ -37,7 +37,9 @@ TextRange Unit::range(const ast::Node& node) const noexcept {
     const std::span<const Token> tokens = parts_.tokens;
     if (node.first_token < node.end_token)
         return {tokens[node.first_token].offset(), tokens[node.end_token - 1].end()};
-    const std::uint32_t place = node.first_token == 0 ? 0 : tokens[node.first_token - 1].end();
+    std::uint32_t place = node.first_token == 0 ? 0 : tokens[node.first_token - 1].end();
+    if (node.kind == ast::NodeKind::empty_statement) // its list may begin with its `;`
+        place = tokens[node.first_token].offset();
     return {place, place};
 }
 

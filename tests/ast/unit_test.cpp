@@ -32,6 +32,12 @@ TEST(Unit, ANodeWithoutTokensStandsBehindTheTokenBeforeIt) {
     EXPECT_EQ(unit->range(*last), (TextRange{8, 8}));
 }
 
+TEST(Unit, AnEmptyStatementStandsAtItsSemicolon) {
+    TreeBuilder builder("a\n;");
+    const auto* statement = builder.node<EmptyStatement>(1, 1);
+    EXPECT_EQ(builder.unit()->range(*statement), (TextRange{2, 2}));
+}
+
 TEST(Unit, KnowsItsLinesAndBuffer) {
     const auto buffer = std::make_shared<const std::string>("a\nb\r\nc");
     const auto unit = TreeBuilder(buffer).unit();

@@ -66,8 +66,8 @@ public:
     [[nodiscard]] const LineTable& lines() const noexcept { return lines_; }
 
     /// The bytes from the first to the last token of `node`, with the trivia between them; for a
-    /// node without tokens the empty range behind the token before it. Counts from the start of the
-    /// unit; `node` belongs to it.
+    /// node without tokens the empty range behind the token before it, and for an empty statement
+    /// that before its `;`. Counts from the start of the unit; `node` belongs to it.
     [[nodiscard]] TextRange range(const ast::Node& node) const noexcept;
 
     /// The bytes in `range`, which counts from the start of the unit and lies inside it.
