@@ -90,6 +90,7 @@ private:
     const char* comment(const char* begin);
     const char* line_comment(const char* begin);
     const char* c_comment(const char* begin);
+    const char* end_of_nested_braces(const char* begin);
     const char* pragma(const char* begin);
     const char* stray_pragma_end(const char* begin);
     const char* unexpected(const char* begin);
@@ -1423,6 +1424,26 @@ const char* Lexer::c_comment(const char* begin) {
     return end;
 }
 
+// The end of `{1, {2}}` where a value belongs: in the lists of other languages braces nest. Null
+// for anything else in braces.
+const char* Lexer::end_of_nested_braces(const char* begin) {
+    constexpr std::size_t furthest = 1000; // bounds the time that many of them take
+    if (!has_tokens() || last_token().kind() != TokenKind::assign)
+        return nullptr;
+    const std::string_view rest = text_.substr(offset(begin), furthest);
+    std::size_t depth = 0;
+    bool nested = false;
+    for (std::size_t i = 0; i < rest.size() && rest[i] != ';'; ++i) {
+        depth += rest[i] == '{' ? 1 : 0;
+        nested = nested || depth > 1;
+        if (rest[i] == '}' && --depth == 0)
+            return nested && ends_operand_at(begin + i + 1) ? begin + i + 1 : nullptr;
+    }
+    if (nested)
+        result_.open_ended.push_back(offset(begin)); // text behind the unit may close it
+    return nullptr;
+}
+
 const char* Lexer::pragma(const char* begin) {
     std::size_t closing = std::string_view::npos;
     if (begin < pragma_end_missing_from_)
@@ -1432,7 +1453,8 @@ const char* Lexer::pragma(const char* begin) {
         pragma_end_missing_from_ = std::min(pragma_end_missing_from_, begin);
         end = end_of_first_line(begin, DiagnosticId::unterminated_pragma, "{", "}");
     } else {
-        end = begin_ + closing + 1;
+        const char* const nested_end = end_of_nested_braces(begin);
+        end = nested_end != nullptr ? nested_end : begin_ + closing + 1;
         report(DiagnosticId::pragma, range(begin, end));
     }
     add_trivia(TriviaKind::pragma, begin, end);

@@ -802,10 +802,17 @@ bool Parser::report_braces() {
     const bool structure = values.find(":=") != values.npos;
     const Report braces =
         report(DiagnosticId::unexpected_token, open, {structure ? "`(`" : "`[`", "`{`"});
-    if (values.find('{') == values.npos) // else it ends too early
-        diagnostics_[braces.index()].fixes.push_back(
-            {{{open, structure ? "(" : "["}, {close, structure ? ")" : "]"}}});
     reported_at_ = at_;
+    const bool nested = values.find('{') != values.npos;
+    if (nested && structure) // which of them are structures?
+        return true;
+    std::vector<TextEdit> edits;
+    for (std::uint32_t i = open.begin; i < close.end; ++i)
+        if (text_[i] == '{')
+            edits.push_back({{i, i + 1}, structure ? "(" : "["});
+        else if (text_[i] == '}')
+            edits.push_back({{i, i + 1}, structure ? ")" : "]"});
+    diagnostics_[braces.index()].fixes.push_back({std::move(edits)});
     return true;
 }
 
