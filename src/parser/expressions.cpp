@@ -93,11 +93,6 @@ constexpr TokenSet foreign_keywords =
              TokenKind::kw_transition,   TokenKind::kw_from,
              TokenKind::kw_action};
 
-bool is_formal(const ast::Node& argument) noexcept {
-    const auto* input = ast::as<ast::InputArgument>(&argument);
-    return input == nullptr || input->name != nullptr;
-}
-
 } // namespace
 
 // comparison_operator = "<" | ">" | "<=" | ">=" ;
@@ -819,6 +814,11 @@ const ast::Expression* Parser::parse_output_variable() {
     else
         return parse_missing_expression();
     return parse_expression();
+}
+
+bool Parser::is_formal(const ast::Node& argument) noexcept {
+    const auto* input = ast::as<ast::InputArgument>(&argument);
+    return input == nullptr || input->name != nullptr;
 }
 
 /// Formal and non-formal arguments are not mixed (2.5.1.1, Table 19 a).

@@ -67,14 +67,13 @@ constexpr std::array<IlOperatorRow, 47> il_operators{{
 }};
 
 /// il_expr_operator: what can wait for the result of instructions in parentheses.
-constexpr bool is_expression_operator(IlOperator op) noexcept {
+constexpr bool waits_for_result(IlOperator op) noexcept {
     return op >= IlOperator::logical_and && op <= IlOperator::less && op != IlOperator::logical_not;
 }
 
 /// True for `AND` and the like, which with several operands are functions (A24).
 constexpr bool is_function_name(const IlOperatorRow& row) noexcept {
-    return is_expression_operator(row.op) && row.modifier == IlModifier::none &&
-           row.spelling != "&";
+    return waits_for_result(row.op) && row.modifier == IlModifier::none && row.spelling != "&";
 }
 
 /// The operator writes to its operand, or to an input of it.
@@ -130,7 +129,11 @@ void Parser::expect_line_end() {
         report_missing(DiagnosticId::missing_line_end, {quoted(at_)}).insert(previous_end(), "\n");
         return;
     }
-    report_unexpected("the end of the line");
+    const bool reported = !diagnostics_.empty() &&
+                          diagnostics_.back().id == DiagnosticId::not_an_operand &&
+                          diagnostics_.back().range.end == previous_end();
+    if (!reported) // else what stands behind it belongs to it: `ST f(x).y`
+        report_unexpected("the end of the line");
     skip_line();
 }
 
@@ -244,12 +247,14 @@ const ast::Identifier* Parser::parse_optional_label() {
 
 // simple_instr_list = il_simple_instruction { il_simple_instruction } ;
 const ast::InstructionList* Parser::parse_simple_instruction_list(std::string_view where,
-                                                                  bool closed) {
+                                                                  bool closed, bool argument) {
     auto* list = make<ast::InstructionList>();
     ListBuilder<ast::IlInstruction> instructions(*this);
     const bool begun = !at_line_end(); // with the operand before the first line
     const bool outer = std::exchange(in_instructions_, true);
-    while (!at(TokenKind::right_parenthesis) && !at_end_of_instructions() &&
+    while ((!at(TokenKind::right_parenthesis) || at_stray_parenthesis_in_instructions(argument)) &&
+           !at_end_of_instructions() && !at_stand_in_for_parenthesis() &&
+           !at_end_of_argument_list() &&
            (closed || !begins_outer_instruction(begun || !instructions.empty())))
         add_in_loop(instructions, [&] { return parse_il_simple_instruction(where); });
     in_instructions_ = outer;
@@ -279,6 +284,29 @@ const ast::IlInstruction* Parser::parse_il_simple_instruction(std::string_view w
     default: break;
     }
     return instruction;
+}
+
+/// An operator of B.2.2 that can wait for instructions in parentheses.
+bool Parser::is_expression_operator(std::uint32_t index) const noexcept {
+    const IlOperatorRow* row = il_operator(index);
+    return row != nullptr && waits_for_result(row->op);
+}
+
+/// True for an instruction with an operand that can stand in parentheses.
+bool Parser::begins_inner_instruction(std::uint32_t index) const noexcept {
+    const IlOperatorRow* row = il_operator(index);
+    const std::uint32_t second = next(index);
+    return row != nullptr && !stands_outside_parentheses(index) && !needs_variable(row->op) &&
+           !begins_line(second) &&
+           (begins_operand(tokens_[second].kind()) ||
+            tokens_[second].kind() == TokenKind::left_parenthesis);
+}
+
+/// True for an instruction that stores, jumps, calls or returns.
+bool Parser::stands_outside_parentheses(std::uint32_t index) const noexcept {
+    const IlOperatorRow* row = il_operator(index);
+    return row != nullptr && (row->op == IlOperator::store || row->op == IlOperator::jump ||
+                              row->op == IlOperator::call || row->op == IlOperator::return_);
 }
 
 /// In parentheses that nothing closes: true when the line stores, jumps, calls or loads anew, and
@@ -325,25 +353,34 @@ void Parser::advance_operator() noexcept {
 // Part of il_instruction: [ il_simple_operation | il_expression | il_jump_operation | il_fb_call
 //     | il_formal_funct_call | il_return_operator ]
 const ast::IlOperation* Parser::parse_il_operation() {
+    if (at_arguments_without_call())
+        return parse_arguments_without_call();
     if (at_structured_text())
         return parse_structured_text_in_il();
     const bool parenthesis = peek() == TokenKind::left_parenthesis && !begins_line(next(at_));
     if (const IlOperatorRow* row = il_operator(at_)) {
         const std::uint32_t second = at_ampersand_n(at_) ? next(next(at_)) : next(at_);
-        const bool deferred = tokens_[second].kind() == TokenKind::left_parenthesis &&
-                              !begins_line(second) && is_expression_operator(row->op);
+        const bool open =
+            tokens_[second].kind() == TokenKind::left_parenthesis && !begins_line(second);
+        const bool deferred =
+            waits_for_result(row->op) && (open || lacks_parenthesis_of_instructions(second));
         switch (row->op) {
         case IlOperator::jump: return parse_il_jump_operation(*row);
         case IlOperator::call: return parse_il_fb_call(*row);
         case IlOperator::return_: return parse_il_return_operation(*row);
         default: break;
         }
-        if (deferred && is_function_name(*row) && at_formal_argument(next(second)))
+        if (is_function_name(*row) && argument_lines_follow(second))
             return parse_il_formal_funct_call();
         return deferred ? parse_il_expression(*row) : parse_il_simple_operation(*row);
     }
+    if (at_unknown_expression()) {
+        report_at(at_, DiagnosticId::unexpected_token, {"an operator", quoted(at_)});
+        return parse_il_expression({});
+    }
     if (at(TokenKind::identifier))
-        return parenthesis ? parse_il_formal_funct_call() : parse_il_function();
+        return parenthesis || argument_lines_follow(next(at_)) ? parse_il_formal_funct_call()
+                                                               : parse_il_function();
     return parse_il_error_operation();
 }
 
@@ -354,7 +391,9 @@ bool Parser::at_invocation_statement() const noexcept {
         tokens_[open].kind() != TokenKind::left_parenthesis || begins_line(open))
         return false;
     const std::uint32_t close = closing_parenthesis(open);
-    return close != count_ && tokens_[next(close)].kind() == TokenKind::semicolon;
+    const std::uint32_t behind = next(close);
+    return close != count_ && tokens_[behind].kind() == TokenKind::semicolon &&
+           !begins_line(behind);
 }
 
 /// A statement of ST: a variable and `:=`, an invocation, or a word that begins one.
@@ -398,7 +437,7 @@ const ast::IlOperation* Parser::parse_il_error_operation() {
     if (at(TokenKind::semicolon)) {
         report_at(at_, DiagnosticId::semicolon_in_instruction_list).remove(token().range());
         advance();
-        return finish(error);
+        return at_operator_field() ? parse_il_operation() : finish(error);
     }
     if (!at(TokenKind::right_parenthesis)) {
         report_at(at_, DiagnosticId::not_an_instruction, {quoted(at_)});
@@ -412,7 +451,12 @@ const ast::IlOperation* Parser::parse_il_error_operation() {
         report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
             .remove(token().range());
     advance();
-    return finish(error);
+    return at_operator_field() ? parse_il_operation() : finish(error);
+}
+
+/// In a line, at what can be an operator.
+bool Parser::at_operator_field() const noexcept {
+    return !at_line_end() && (at(TokenKind::identifier) || il_operator(at_) != nullptr);
 }
 
 // il_simple_operation = il_simple_operator il_operand | il_store_operator il_variable | "NOT"
@@ -531,11 +575,12 @@ const ast::IlOperation* Parser::parse_il_return_operation(const IlOperatorRow& r
 // ---- parentheses --------------------------------------------------------------------------------
 
 /// Where the parenthesis at token `open` is closed, or somewhere behind it when that is far away;
-/// the number of tokens when it is not closed before the body ends.
+/// the number of tokens when it is not closed before the body ends. What stands in the place of a
+/// `(` counts as one.
 std::uint32_t Parser::closing_parenthesis(std::uint32_t open) const noexcept {
     constexpr std::uint32_t furthest = 1000; // bounds the time that a run of parentheses takes
-    std::uint32_t depth = 0;
-    std::uint32_t i = open;
+    std::uint32_t depth = 1;
+    std::uint32_t i = next(open);
     for (std::uint32_t steps = 0; steps < furthest; i = next(i), ++steps) {
         const TokenKind kind = tokens_[i].kind();
         if (unit_ends.contains(kind) || chart_closers.contains(kind))
@@ -548,15 +593,24 @@ std::uint32_t Parser::closing_parenthesis(std::uint32_t open) const noexcept {
     return i;
 }
 
-void Parser::close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing) {
+/// `closing` is what to insert for a `)` that is missing.
+void Parser::close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing,
+                                  std::string closing) {
     if (at(TokenKind::right_parenthesis)) {
         expect_line_end_in(missing, "before `)`");
         advance();
+    } else if (at_stand_in_for_parenthesis()) {
+        accept_as(TokenKind::right_parenthesis).label(LabelId::opened_here, open);
     } else {
-        report_missing(DiagnosticId::missing_token, {"`)`"})
-            .label(LabelId::opened_here, open)
-            .insert(previous_end(), "\n)");
+        Report report = report_missing(DiagnosticId::missing_token, {"`)`"});
+        if (tokens_[open].kind() == TokenKind::left_parenthesis)
+            report.label(LabelId::opened_here, open);
+        if (at(TokenKind::comma) && at_line_end())
+            report.insert(token().offset(), ")");
+        else
+            report.insert(previous_end(), std::move(closing));
     }
+    --il_parentheses_;
     report_line_ends(missing);
 }
 
@@ -574,31 +628,59 @@ const ast::IlOperation* Parser::parse_il_expression(const IlOperatorRow& row) {
     node->modifier = row.modifier;
     const std::uint32_t word = at_;
     advance_operator();
-    const std::uint32_t open = advance();
+    const std::uint32_t open = accept_parenthesis_of_instructions();
     const bool closed = parenthesis_closes(open);
     MissingLineEnds missing;
     ++il_parentheses_;
     if (!at_line_end() && begins_instruction_on_line()) {
         expect_line_end_in(missing, "after `(`");
     } else if (!at_line_end() && !at(TokenKind::right_parenthesis)) {
+        const std::size_t reports = diagnostics_.size();
+        drop_intruder_before_operand();
         node->operand = expect_il_operand("`(`");
-        if (at(TokenKind::comma) && !at_line_end() && is_function_name(row)) {
+        const bool reported = diagnostics_.size() != reports;
+        if (!reported && at(TokenKind::comma) && !at_line_end() && is_function_name(row)) {
             --il_parentheses_;
             return parse_operands_in_parentheses(make_identifier_of(word), open, node->operand);
         }
-        expect_line_end();
+        if (reported && at(TokenKind::comma) && !at_line_end())
+            skip_line();
+        else
+            expect_line_end();
     }
     node->instructions = parse_simple_instruction_list("parentheses", closed);
-    --il_parentheses_;
     close_il_parenthesis(open, missing);
     return finish(node);
 }
 
+/// The `(` behind an operator, or what stands in its place before instructions on lines of their
+/// own. Gives the token.
+std::uint32_t Parser::accept_parenthesis_of_instructions() {
+    if (at(TokenKind::left_parenthesis) && !at_line_end())
+        return advance();
+    if (at_line_end())
+        report_missing(DiagnosticId::missing_token, {"`(`"}).insert(previous_end(), "(");
+    else
+        accept_as(TokenKind::left_parenthesis);
+    return end_ - 1;
+}
+
+/// Behind an operator at token `index`: true when instructions in parentheses follow, and the `(`
+/// is missing or something else that is no operand.
+bool Parser::lacks_parenthesis_of_instructions(std::uint32_t index) const noexcept {
+    if (!begins_line(index)) {
+        const bool closes = tokens_[index].kind() == TokenKind::right_parenthesis;
+        if (begins_operand(tokens_[index].kind()) || (closes && surplus_parentheses() < 2))
+            return false;
+        index = next(index);
+    }
+    return at_inner_instruction_of_argument(index);
+}
+
 /// In place of il_expression: passes over one that is nested too deep, up to its closing
 /// parenthesis.
-const ast::IlOperation* Parser::parse_too_deep_operation() {
+const ast::IlOperation* Parser::parse_too_deep_operation(std::uint32_t depth) {
     auto* error = make<ast::IlErrorOperation>();
-    std::uint32_t depth = 0;
     do {
         depth += at(TokenKind::left_parenthesis) ? 1 : 0;
         depth -= at(TokenKind::right_parenthesis) && depth > 0 ? 1 : 0;
@@ -614,19 +696,66 @@ const ast::IlOperation* Parser::parse_too_deep_operation() {
 //                  | "GE" | "EQ" | "LT" | "LE" | "NE" ;
 const ast::IlOperation* Parser::parse_il_formal_funct_call() {
     const std::uint32_t word = advance();
-    const std::uint32_t open = at_;
-    const bool formal = begins_line(next(at_)) || peek() == TokenKind::right_parenthesis ||
-                        at_formal_argument(next(at_));
     const ast::Identifier* name = make_identifier_of(word);
     check_standard_name(tokens_[word].range(), name->hash, NameUse::call);
-    if (!formal) {
-        advance();
-        return parse_operands_in_parentheses(name, open, nullptr);
-    }
+    if (!at_argument_lines() && peek() != TokenKind::right_parenthesis)
+        return parse_operands_in_parentheses(name, advance(), nullptr);
+    expect_parenthesis_of_arguments();
     auto* node = make_from<ast::IlFormalFunctCall>(name);
     node->function_name = name;
-    node->arguments = parse_il_param_list(true);
+    node->arguments = parse_il_param_list(end_ - 1, true);
     return finish(node);
+}
+
+/// At arguments of which what is called is missing, or something that is no name.
+bool Parser::at_arguments_without_call() const noexcept {
+    static constexpr TokenSet ends{TokenKind::comma, TokenKind::left_parenthesis};
+    const std::uint32_t open = next(at_);
+    if (tokens_[open].kind() == TokenKind::left_parenthesis && !begins_line(open) &&
+        !at(TokenKind::identifier) && il_operator(at_) == nullptr)
+        return begins_argument_line(next(open));
+    if (follows_skipped_parenthesis())
+        return begins_argument_line(at_);
+    return at_formal_argument(at_) && ends.contains(rest_of_line(at_).last) &&
+           lacks_parenthesis(at_);
+}
+
+/// Behind a line that was reported and passed over up to a `(` at its end.
+bool Parser::follows_skipped_parenthesis() const noexcept {
+    return skipped_parentheses_ > 0 && at_ > 0 && at_line_end() &&
+           tokens_[at_ - 1].kind() == TokenKind::left_parenthesis;
+}
+
+/// In place of il_formal_funct_call: arguments, and what is called is missing before them.
+const ast::IlOperation* Parser::parse_arguments_without_call() {
+    auto* node = make<ast::IlFormalFunctCall>();
+    const std::uint32_t first = at_;
+    node->function_name = make_missing<ast::Identifier>();
+    if (follows_skipped_parenthesis()) {
+        --skipped_parentheses_;
+    } else if (at_formal_argument(first)) {
+        report_at(first, DiagnosticId::not_an_instruction, {"an argument without a call"});
+    } else {
+        report_at(first, DiagnosticId::not_an_instruction, {quoted(first)});
+        advance();
+        expect_parenthesis_of_arguments();
+    }
+    node->arguments = parse_il_param_list(first, true);
+    return finish(node);
+}
+
+/// A name and instructions in parentheses, as only an operator has them.
+bool Parser::at_unknown_expression() const noexcept {
+    const std::uint32_t open = next(at_);
+    std::uint32_t line = next(open);
+    if (!at(TokenKind::identifier) || tokens_[open].kind() != TokenKind::left_parenthesis ||
+        begins_line(open))
+        return false;
+    if (!begins_line(line) && begins_operand(tokens_[line].kind()))
+        line = next(line);
+    return begins_line(line) && begins_inner_instruction(line) && !at_formal_argument(line) &&
+           !at_formal_argument(next(line)) && parenthesis_closes(open) &&
+           surplus_parentheses() == 0;
 }
 
 /// In place of il_formal_funct_call: `LIMIT(1, x, 5)`, which the standard does not have, from
@@ -652,32 +781,45 @@ const ast::IlOperation* Parser::parse_il_fb_call(const IlOperatorRow& row) {
     node->modifier = row.modifier;
     const std::uint32_t word = advance();
     if (at_end_of_operands() || !at(TokenKind::identifier)) {
-        if (at_end_of_operands())
-            report_missing(DiagnosticId::missing_operand, {quoted(word)});
-        else
-            report_at(at_, DiagnosticId::missing_name,
-                      {"the name of a function block instance", quoted(at_)});
+        report_missing_instance(word);
         node->fb_name = make_missing<ast::ErrorExpression>();
-        return finish(node);
-    }
-    const TextRange first = token().range();
-    node->fb_name = parse_il_variable();
-    if (const auto* name = ast::as<ast::VariableName>(node->fb_name))
-        check_standard_name(first, name->hash, NameUse::other);
-    else
-        report_node(*node->fb_name, DiagnosticId::call_of_member,
-                    {node->fb_name->kind == ast::NodeKind::array_variable ? "an array element"
-                                                                          : "a member"});
-    if (!at(TokenKind::left_parenthesis) || at_line_end())
-        return finish(node);
-    const std::uint32_t behind = next(at_);
-    if (begins_line(behind) || at_formal_argument(behind)) {
-        node->arguments = parse_il_param_list(false);
     } else {
+        node->fb_name = parse_called_instance();
+    }
+    if (at_argument_lines()) {
+        expect_parenthesis_of_arguments();
+        node->arguments = parse_il_param_list(end_ - 1, false);
+    } else if (at(TokenKind::left_parenthesis) && !at_line_end() && !node->fb_name->missing) {
         const std::uint32_t open = advance();
         node->arguments = parse_il_arguments(open, nullptr);
     }
     return finish(node);
+}
+
+/// Behind CAL. Something else in the place of the name is passed over before a `(`.
+void Parser::report_missing_instance(std::uint32_t word) {
+    if (at_end_of_operands()) {
+        report_missing(DiagnosticId::missing_operand, {quoted(word)});
+        return;
+    }
+    report_at(at_, DiagnosticId::missing_name,
+              {"the name of a function block instance", quoted(at_)});
+    if (peek() == TokenKind::left_parenthesis && !begins_line(next(at_)) &&
+        begins_line(next(next(at_))))
+        advance();
+}
+
+// Part of il_fb_call: fb_name
+const ast::Expression* Parser::parse_called_instance() {
+    const TextRange first = token().range();
+    const ast::Expression* instance = parse_il_variable();
+    if (const auto* name = ast::as<ast::VariableName>(instance))
+        check_standard_name(first, name->hash, NameUse::other);
+    else
+        report_node(
+            *instance, DiagnosticId::call_of_member,
+            {instance->kind == ast::NodeKind::array_variable ? "an array element" : "a member"});
+    return instance;
 }
 
 // ---- operands -----------------------------------------------------------------------------------
@@ -740,14 +882,13 @@ bool Parser::wants_operand(TokenKind kind) noexcept {
 
 /// True when the rest of the line closes all parentheses that it opens, and breaks off nowhere.
 bool Parser::expression_ends_on_line() const noexcept {
-    const RestOfLine rest = rest_of_line();
+    const RestOfLine rest = rest_of_line(at_);
     return rest.parentheses == 0 && !wants_operand(rest.last);
 }
 
-Parser::RestOfLine Parser::rest_of_line() const noexcept {
+Parser::RestOfLine Parser::rest_of_line(std::uint32_t i) const noexcept {
     RestOfLine rest;
     std::uint32_t steps = 0;
-    std::uint32_t i = at_;
     do {
         rest.last = tokens_[i].kind();
         if (rest.last == TokenKind::left_parenthesis)
@@ -797,7 +938,7 @@ bool Parser::variable_breaks_off() const noexcept {
         return true;
     if (!at(TokenKind::left_bracket))
         return false;
-    const RestOfLine rest = rest_of_line();
+    const RestOfLine rest = rest_of_line(at_);
     return rest.brackets > 0 && (rest.last == TokenKind::comma || wants_operand(rest.last));
 }
 
@@ -859,202 +1000,6 @@ void Parser::report_line_end() {
     Report line_end = report(DiagnosticId::line_end_in_instruction, {gap.begin, gap.begin});
     if (blank)
         line_end.replace(gap, " ");
-}
-
-// ---- arguments ----------------------------------------------------------------------------------
-
-/// Part of il_fb_call: non-formal arguments in parentheses, from behind the `(` or the first of
-/// them.
-ast::List<ast::Node> Parser::parse_il_arguments(std::uint32_t open, const ast::Expression* first) {
-    ListBuilder<ast::Node> arguments(*this);
-    const auto add = [&](const ast::Expression* value) {
-        auto* argument = make_from<ast::InputArgument>(value);
-        argument->value = value;
-        argument->end_token = value->end_token;
-        arguments.add(argument);
-    };
-    if (first != nullptr)
-        add(first);
-    ++il_parentheses_;
-    if (first == nullptr && !at(TokenKind::right_parenthesis))
-        add(expect_il_operand("`(`"));
-    while (accept_il_comma()) {
-        if (at_formal_argument(at_))
-            arguments.add(parse_il_argument());
-        else
-            add(parse_next_il_operand());
-    }
-    --il_parentheses_;
-    const ast::List<ast::Node> list = arguments.finish();
-    check_arguments(list);
-    if (at(TokenKind::right_parenthesis)) {
-        if (at_line_end())
-            report_line_end();
-        advance();
-        return list;
-    }
-    if (!at_line_end() && !at_end_of_instructions() && !at(TokenKind::semicolon)) {
-        report_unexpected("`,` or `)`");
-        skip_line();
-        return list;
-    }
-    report_missing(DiagnosticId::missing_token, {"`)`"})
-        .label(LabelId::opened_here, open)
-        .insert(previous_end(), ")");
-    return list;
-}
-
-/// `name :=`, `name =>` or `NOT name =>`, also with `=` for `:=`.
-bool Parser::at_formal_argument(std::uint32_t index) const noexcept {
-    if (tokens_[index].kind() == TokenKind::kw_not)
-        index = next(index);
-    static constexpr TokenSet behind{TokenKind::assign, TokenKind::output_arrow, TokenKind::equal};
-    return (tokens_[index].kind() == TokenKind::identifier || is_keyword(tokens_[index].kind())) &&
-           behind.contains(tokens_[next(index)].kind());
-}
-
-// il_param_list = { il_param_instruction } il_param_last_instruction ;
-// il_param_instruction = ( il_param_assignment | il_param_out_assignment ) "," EOL { EOL } ;
-// il_param_last_instruction = ( il_param_assignment | il_param_out_assignment ) EOL { EOL } ;
-ast::List<ast::Node> Parser::parse_il_param_list(bool function) {
-    const std::uint32_t open = advance();
-    const bool closed = parenthesis_closes(open);
-    MissingLineEnds missing;
-    ListBuilder<ast::Node> arguments(*this);
-    if (function || !at(TokenKind::right_parenthesis))
-        expect_line_end_in(missing, "after `(`");
-    ++il_parentheses_;
-    while (!at(TokenKind::right_parenthesis) && !at_end_of_instructions()) {
-        if (!closed && !at_formal_argument(at_) && !at(TokenKind::comma))
-            break;
-        const std::size_t reports = diagnostics_.size();
-        if (!at(TokenKind::comma))
-            add_in_loop(arguments, [this] { return parse_il_argument(); });
-        else
-            report_unexpected("an argument");
-        if (diagnostics_.size() != reports && !at(TokenKind::comma) && !at_formal_argument(at_) &&
-            !at(TokenKind::right_parenthesis) && !at_line_end())
-            skip_line(); // one report for an argument
-        expect_end_of_argument(missing, closed);
-    }
-    --il_parentheses_;
-    close_il_parenthesis(open, missing);
-    const ast::List<ast::Node> list = arguments.finish();
-    check_il_arguments(list, open);
-    return list;
-}
-
-/// Only formal arguments stand on lines of their own.
-void Parser::check_il_arguments(const ast::List<ast::Node>& arguments, std::uint32_t open) {
-    check_arguments(arguments);
-    if (arguments.empty())
-        return;
-    const auto* first = ast::as<ast::InputArgument>(arguments.front());
-    const std::uint32_t behind = tokens_[open].end();
-    if (first != nullptr && first->name == nullptr && !first->value->missing)
-        report(DiagnosticId::line_end_in_instruction, {behind, behind});
-}
-
-/// "," EOL, or the end of the list
-void Parser::expect_end_of_argument(MissingLineEnds& missing, bool closed) {
-    if (at(TokenKind::comma)) {
-        if (at_line_end() && reported_at_ != at_)
-            report_line_end();
-        const std::uint32_t comma = advance();
-        if (at(TokenKind::right_parenthesis))
-            report_at(comma, DiagnosticId::unexpected_token, {"`)`", "`,`"})
-                .remove(tokens_[comma].range());
-        else if (!at(TokenKind::comma))
-            expect_line_end_in(missing, "after `,`");
-        return;
-    }
-    if (at(TokenKind::right_parenthesis) || at_end_of_instructions())
-        return;
-    if (at_formal_argument(at_)) {
-        report_missing(DiagnosticId::missing_token, {"`,`"}).insert(previous_end(), ",");
-        expect_line_end_in(missing, "after `,`");
-        return;
-    }
-    if (at_line_end() && !closed)
-        return;
-    report_unexpected("`,` or `)`");
-    skip_line();
-}
-
-// il_param_assignment = il_assign_operator
-//                       ( il_operand | "(" EOL { EOL } simple_instr_list ")" ) ;
-// il_assign_operator = ( variable_name | "EN" | "ENO" ) ":=" ;
-const ast::Node* Parser::parse_il_argument() {
-    const bool negated = at(TokenKind::kw_not);
-    if ((negated ? peek_second() : peek()) == TokenKind::output_arrow)
-        return parse_il_output_argument();
-    auto* node = make<ast::InputArgument>();
-    if (!at_formal_argument(at_)) {
-        node->value = parse_il_operand();
-        return finish(node);
-    }
-    if (negated) {
-        report_unexpected("an argument");
-        advance();
-    }
-    node->name = parse_il_argument_name();
-    if (at_line_end())
-        report_line_end();
-    if (at(TokenKind::equal))
-        report_at(at_, DiagnosticId::equal_for_assignment).replace(token().range(), ":=");
-    advance();
-    const std::uint32_t behind = next(at_);
-    const bool list =
-        at(TokenKind::left_parenthesis) && !at_line_end() &&
-        (begins_line(behind) || (il_operator(behind) != nullptr && !begins_line(next(behind))));
-    node->value = list ? parse_il_argument_list() : expect_il_operand("`:=`");
-    return finish(node);
-}
-
-// Part of il_assign_operator: ( variable_name | "EN" | "ENO" )
-const ast::Identifier* Parser::parse_il_argument_name() {
-    if (at(execution_control))
-        return make_identifier();
-    return is_keyword(kind()) ? take_reserved_word() : parse_name("the name of a parameter");
-}
-
-// il_param_out_assignment = il_assign_out_operator il_variable ;
-// il_assign_out_operator = [ "NOT" ] ( variable_name | "EN" | "ENO" ) "=>" ;
-const ast::Node* Parser::parse_il_output_argument() {
-    auto* node = make<ast::OutputArgument>();
-    node->negated = accept(TokenKind::kw_not);
-    const bool after_not = node->negated && at_line_end();
-    if (after_not)
-        report_line_end();
-    node->name = parse_il_argument_name();
-    if (at_line_end() && !after_not)
-        report_line_end();
-    advance();
-    const std::size_t reports = diagnostics_.size();
-    node->variable = expect_il_operand("`=>`");
-    if (diagnostics_.size() == reports)
-        check_variable("=>", *node->variable);
-    return finish(node);
-}
-
-// Part of il_param_assignment: "(" EOL { EOL } simple_instr_list ")"
-const ast::Node* Parser::parse_il_argument_list() {
-    const NestingGuard guard(*this);
-    if (guard.too_deep()) {
-        parse_too_deep_operation();
-        return make_missing<ast::ErrorExpression>();
-    }
-    const std::uint32_t open = advance();
-    const bool closed = parenthesis_closes(open);
-    MissingLineEnds missing;
-    expect_line_end_in(missing, "after `(`");
-    ++il_parentheses_;
-    const ast::InstructionList* list = parse_simple_instruction_list("parentheses", closed);
-    --il_parentheses_;
-    if (list->instructions.empty())
-        report_at(at_, DiagnosticId::not_an_instruction, {describe(at_)});
-    close_il_parenthesis(open, missing);
-    return list;
 }
 
 } // namespace iecfront

@@ -550,6 +550,7 @@ private:
     void check_has_parts(const ast::Expression& variable);
     ast::List<ast::Node> parse_arguments();
     const ast::Node* parse_argument(std::uint32_t open);
+    [[nodiscard]] static bool is_formal(const ast::Node& argument) noexcept;
     void check_arguments(const ast::List<ast::Node>& arguments);
     const ast::Expression* parse_missing_expression();
     [[nodiscard]] bool at_assignment_on_new_line() const noexcept;
@@ -664,9 +665,11 @@ private:
         std::vector<std::uint32_t> offsets;
     };
     const ast::InstructionList* parse_instruction_list();
-    /// `where` says what the instructions stand in; not `closed` when nothing closes that.
+    /// `where` says what the instructions stand in; not `closed` when nothing closes that. They are
+    /// those of an `argument`, or of an operator.
     const ast::InstructionList* parse_simple_instruction_list(std::string_view where,
-                                                              bool closed = true);
+                                                              bool closed = true,
+                                                              bool argument = false);
     const ast::IlInstruction* parse_il_instruction();
     const ast::IlInstruction* parse_il_simple_instruction(std::string_view where);
     const ast::Identifier* parse_optional_label();
@@ -683,7 +686,7 @@ private:
                                                           const ast::Expression* first);
     const ast::IlOperation* parse_structured_text_in_il();
     const ast::IlOperation* parse_il_error_operation();
-    const ast::IlOperation* parse_too_deep_operation();
+    const ast::IlOperation* parse_too_deep_operation(std::uint32_t depth = 0);
     const ast::Expression* expect_il_operand(std::string after);
     const ast::Expression* parse_il_operand();
     const ast::Expression* parse_next_il_operand();
@@ -691,12 +694,8 @@ private:
     const ast::Expression* parse_il_variable();
     void add_il_operands(ListBuilder<ast::Expression>& operands);
     bool accept_il_comma();
-    ast::List<ast::Node> parse_il_arguments(std::uint32_t open, const ast::Expression* first);
-    ast::List<ast::Node> parse_il_param_list(bool function);
-    const ast::Node* parse_il_argument();
-    const ast::Identifier* parse_il_argument_name();
-    const ast::Node* parse_il_output_argument();
-    const ast::Node* parse_il_argument_list();
+    const ast::Expression* parse_called_instance();
+    void report_missing_instance(std::uint32_t word);
     const ast::Identifier* make_identifier_of(std::uint32_t token);
     [[nodiscard]] const IlOperatorRow* il_operator(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_ampersand_n(std::uint32_t index) const noexcept;
@@ -706,7 +705,16 @@ private:
     [[nodiscard]] bool at_end_of_instructions();
     [[nodiscard]] bool at_end_of_operands() noexcept;
     [[nodiscard]] bool at_structured_text() const noexcept;
-    [[nodiscard]] bool at_formal_argument(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool begins_inner_instruction(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool is_expression_operator(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_unknown_expression() const noexcept;
+    [[nodiscard]] bool follows_skipped_parenthesis() const noexcept;
+    [[nodiscard]] bool at_operator_field() const noexcept;
+    [[nodiscard]] bool stands_outside_parentheses(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_arguments_without_call() const noexcept;
+    const ast::IlOperation* parse_arguments_without_call();
+    std::uint32_t accept_parenthesis_of_instructions();
+    [[nodiscard]] bool lacks_parenthesis_of_instructions(std::uint32_t index) const noexcept;
     [[nodiscard]] bool begins_instruction_on_line() const noexcept;
     [[nodiscard]] bool begins_outer_instruction(bool begun) const noexcept;
     [[nodiscard]] bool at_invocation_statement() const noexcept;
@@ -714,13 +722,13 @@ private:
     [[nodiscard]] bool parenthesis_closes(std::uint32_t open) const noexcept {
         return closing_parenthesis(open) != count_;
     }
-    /// From the cursor to the end of the line.
+    /// From a token to the end of its line.
     struct RestOfLine {
         std::uint32_t parentheses = 0; ///< opened and not closed
         std::uint32_t brackets = 0;    ///< the same for `[`
         TokenKind last = TokenKind::end_of_unit;
     };
-    [[nodiscard]] RestOfLine rest_of_line() const noexcept;
+    [[nodiscard]] RestOfLine rest_of_line(std::uint32_t i) const noexcept;
     [[nodiscard]] static bool wants_operand(TokenKind kind) noexcept;
     [[nodiscard]] bool expression_ends_on_line() const noexcept;
     [[nodiscard]] bool variable_breaks_off() const noexcept;
@@ -730,12 +738,50 @@ private:
     void report_line_ends(const MissingLineEnds& missing);
     void report_line_end();
     void report_operand_of(const IlOperatorRow& row);
-    void expect_end_of_argument(MissingLineEnds& missing, bool closed);
-    void close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing);
-    void check_il_arguments(const ast::List<ast::Node>& arguments, std::uint32_t open);
+    void close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing,
+                              std::string closing = "\n)");
     void check_variable(std::string_view writer, const ast::Expression& operand);
     void check_il_subscripts(const ast::Expression& variable);
     void skip_line();
+
+    // ---- instruction_arguments.cpp: B.2.1, what stands in the parentheses of a call
+    ast::List<ast::Node> parse_il_arguments(std::uint32_t open, const ast::Expression* first);
+    void expect_parenthesis_of_arguments();
+    [[nodiscard]] bool argument_lines_follow(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_argument_lines() const noexcept;
+    [[nodiscard]] bool has_mark_on_line(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool opens_line(std::uint32_t index) const noexcept;
+    ast::List<ast::Node> parse_il_param_list(std::uint32_t open, bool function);
+    void check_il_arguments(const ast::List<ast::Node>& arguments, std::uint32_t open);
+    void expect_end_of_argument(MissingLineEnds& missing, bool closed, bool reported);
+    void report_parenthesis_for_comma();
+    void drop_intruder(std::string expected);
+    void skip_argument();
+    const ast::Node* parse_il_argument(bool formal);
+    const ast::Identifier* parse_il_argument_name();
+    void expect_argument_mark(TokenKind mark);
+    const ast::Node* parse_il_output_argument();
+    const ast::Node* parse_il_argument_value();
+    void drop_intruder_before_operand();
+    const ast::Node* parse_il_argument_list(std::uint32_t open);
+    [[nodiscard]] bool at_formal_argument(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool begins_argument_line(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_argument_with_intruder() const noexcept;
+    [[nodiscard]] bool at_stray_parenthesis_in_instructions(bool argument) const noexcept;
+    [[nodiscard]] bool begins_name(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_end_of_il_arguments(bool closed);
+    [[nodiscard]] bool at_stray_parenthesis() const noexcept;
+    [[nodiscard]] bool at_intruder_before_argument() const noexcept;
+    [[nodiscard]] bool has_mark(std::uint32_t name) const noexcept;
+    [[nodiscard]] bool has_output_mark(std::uint32_t name) const noexcept;
+    [[nodiscard]] bool lacks_mark(std::uint32_t name) const noexcept;
+    [[nodiscard]] bool stands_for_mark(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_inner_instruction_of_argument(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool opens_instructions(std::uint32_t index) const noexcept;
+    [[nodiscard]] std::int32_t surplus_parentheses() const noexcept;
+    [[nodiscard]] bool lacks_parenthesis(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_stand_in_for_parenthesis() const noexcept;
+    [[nodiscard]] bool at_end_of_argument_list() const noexcept;
 
     // ---- foreign_constructs.cpp
     bool report_foreign_element();
@@ -769,12 +815,12 @@ private:
     std::uint32_t end_ = 0;               // one past the last token consumed
     std::uint32_t nesting_ = 0;
     bool nesting_reported_ = false;
-    bool in_condition_ = false;     // `:=` is taken for `=`
-    bool in_instructions_ = false;  // an expression ends with its line
-    bool in_chart_ = false;         // the body, or what it is in an action of
+    bool in_condition_ = false;           // `:=` is taken for `=`
+    bool in_instructions_ = false;        // an expression ends with its line
+    bool in_chart_ = false;               // the body, or what it is in an action of
     bool between_chart_elements_ = false; // in statements that stand there
-    bool members_unclosed_ = false; // some METHOD lacks its closing word: none is looked for
-    bool closer_assumed_ = false;   // the last closing word was missing, and its `;` with it
+    bool members_unclosed_ = false;       // some METHOD lacks its closing word: none is looked for
+    bool closer_assumed_ = false;         // the last closing word was missing, and its `;` with it
     std::optional<std::uint32_t> reported_at_; // token of the last report
     std::optional<std::uint32_t> comma_assumed_at_;
     std::uint32_t il_parentheses_ = 0;      // of instructions, that are open
