@@ -229,12 +229,12 @@ void Parser::expect_end_of_argument(MissingLineEnds& missing, bool closed, bool 
 
 /// A `)` in the place of the comma, or before it.
 void Parser::report_parenthesis_for_comma() {
-    if (peek() != TokenKind::comma) {
-        accept_as(TokenKind::comma);
-        return;
-    }
-    drop_intruder("`,`");
+    const bool comma = peek() == TokenKind::comma;
+    const std::uint32_t begin = at_line_end() ? previous_end() : token().offset();
+    report_at(at_, DiagnosticId::unexpected_token, {"`,`", describe(at_)})
+        .replace({begin, token().end()}, comma ? "" : ",");
     advance();
+    accept(TokenKind::comma);
 }
 
 /// Passes over a token that stands before what is `expected`.
