@@ -168,7 +168,10 @@ public:
         for (const DiagnosticLabel& label : diagnostic.labels)
             write_label(label);
         if (!diagnostic.fixes.empty())
-            write_fix(diagnostic.fixes.front());
+            write_help(description(diagnostic.fixes.front(), source_.bytes(), source_.encoding()));
+        const DiagnosticInfo& row = diagnostic_info(diagnostic.id);
+        if (row.category == DiagnosticClass::extension && severity == Severity::error)
+            write_help("`--allow " + std::string(row.name) + "` takes this extension");
     }
 
 private:
@@ -181,10 +184,10 @@ private:
         write_snippet(label.range);
     }
 
-    void write_fix(const DiagnosticFix& fix) {
+    void write_help(std::string_view words) {
         coloured(cyan, "help");
         out_ += ": ";
-        out_ += description(fix, source_.bytes(), source_.encoding());
+        out_ += words;
         out_ += '\n';
     }
 

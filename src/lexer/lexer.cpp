@@ -616,6 +616,8 @@ void Lexer::report_type_of_literal(const char* begin, const char* prefix_end, co
                          fault == DiagnosticId::standard_name_as_name;
     Diagnostic& diagnostic = report(fault, range(begin, of_name ? prefix_end : end));
     diagnostic.arguments.emplace_back(std::string(type));
+    if (fault == DiagnosticId::third_edition_literal)
+        diagnostic.arguments.emplace_back(std::string("prefix"));
     if (fault == DiagnosticId::standard_name_as_name) {
         diagnostic.arguments.emplace_back(
             std::string(standard == StandardName::function ? "function" : "function block"));

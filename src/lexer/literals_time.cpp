@@ -61,14 +61,17 @@ struct DurationUnit {
     std::uint64_t factor;
     std::size_t power;
     std::uint64_t highest; // unless it comes first
+    bool third_edition = false;
 };
 
-constexpr std::array<DurationUnit, 5> units = {{
+constexpr std::array<DurationUnit, 7> units = {{
     {"d", 86'400'000'000'000, 864, 11, std::numeric_limits<std::uint64_t>::max()},
     {"h", 3'600'000'000'000, 36, 11, 23},
     {"m", 60'000'000'000, 6, 10, 59},
     {"s", 1'000'000'000, 1, 9, 59},
     {"ms", 1'000'000, 1, 6, 999},
+    {"us", 1'000, 1, 3, 999, true},
+    {"ns", 1, 1, 0, 999, true},
 }};
 
 class DurationScanner {
@@ -225,6 +228,9 @@ std::size_t DurationScanner::unit(TextRange letters) {
     } else if (found == units.end()) {
         reader_.faults().report(DiagnosticId::unknown_duration_unit, letters,
                                 {reader_.words(letters)});
+    } else if (found->third_edition && (parts_ == 0 || !units[previous_].third_edition)) {
+        reader_.faults().report(DiagnosticId::third_edition_literal, letters,
+                                {reader_.words(letters), std::string("unit")});
     }
     return static_cast<std::size_t>(found - units.begin());
 }

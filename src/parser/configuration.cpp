@@ -76,7 +76,7 @@ PathForm form_of(const ast::Expression& path) noexcept {
 // ---- configurations and resources ---------------------------------------------------------------
 
 // configuration_declaration = "CONFIGURATION" configuration_name
-//                             { global_var_declarations }
+//                             [ global_var_declarations ]
 //                             ( single_resource_declaration
 //                             | ( resource_declaration { resource_declaration } ) )
 //                             [ access_declarations ]
@@ -104,7 +104,7 @@ const ast::Identifier* Parser::parse_configuration_name() {
 }
 
 // resource_declaration = "RESOURCE" resource_name "ON" resource_type_name
-//                        { global_var_declarations }
+//                        [ global_var_declarations ]
 //                        single_resource_declaration
 //                        "END_RESOURCE" ;
 // resource_name = identifier ;
@@ -235,7 +235,7 @@ void Parser::expect_semicolon_of_configuration() {
     if (accept_semicolon())
         return;
     if (at(element_words) || token().first_on_line() || at_library_element_closer()) {
-        report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+        report_left_out_semicolon();
         return;
     }
     report_unexpected("`;`");
@@ -266,6 +266,10 @@ void Parser::check_configuration_order(const ast::List<ast::Node>& elements, std
             report_at(element->first_token, DiagnosticId::configuration_order,
                       {part_name(*part), part_name(*last)});
         const ast::Node*& before = first[static_cast<std::size_t>(*part)];
+        if (before != nullptr && *part == Part::globals)
+            report_at(element->first_token, DiagnosticId::several_global_blocks,
+                      {place == Place::resource ? "resource" : "configuration"})
+                .label(LabelId::first_given, before->first_token);
         if (before != nullptr && (*part == Part::access || *part == Part::config))
             report_at(element->first_token, DiagnosticId::repeated_part, {part_name(*part)})
                 .label(LabelId::first_given, before->first_token);

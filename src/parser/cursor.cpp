@@ -406,7 +406,10 @@ void Parser::report_reserved_word(std::uint32_t token) {
     count_as_name(keyword);
     const std::string words(text(token));
     const std::string suffix = free_suffix(words);
-    const Report first = report(DiagnosticId::reserved_word_as_name, range, {words});
+    const Report first =
+        report(contextual_keywords.contains(keyword) ? DiagnosticId::contextual_keyword_as_name
+                                                     : DiagnosticId::reserved_word_as_name,
+               range, {words});
     diagnostics_[first.index()].fixes.push_back({{{range, words + suffix}}});
     reserved_words_.push_back({keyword, first.index(), suffix});
 }

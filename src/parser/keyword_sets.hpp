@@ -20,6 +20,13 @@ inline constexpr TokenSet unit_ends = library_element_closers | TokenSet{TokenKi
 inline constexpr TokenSet chart_openers{TokenKind::kw_initial_step, TokenKind::kw_step,
                                         TokenKind::kw_transition, TokenKind::kw_action};
 
+/// What of charts and configurations is a keyword, but makes a good name.
+inline constexpr TokenSet contextual_keywords =
+    chart_openers | TokenSet{TokenKind::kw_from,      TokenKind::kw_on,
+                             TokenKind::kw_task,      TokenKind::kw_with,
+                             TokenKind::kw_resource,  TokenKind::kw_configuration,
+                             TokenKind::kw_read_only, TokenKind::kw_read_write};
+
 inline constexpr TokenSet chart_closers{TokenKind::kw_end_step, TokenKind::kw_end_transition,
                                         TokenKind::kw_end_action};
 

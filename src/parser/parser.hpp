@@ -299,6 +299,7 @@ private:
     void drop_word_before_declaration(const std::string& what);
     void expect_semicolon_of_declaration();
     void report_missing_semicolon();
+    void report_left_out_semicolon();
 
     // ---- constants.cpp: B.1.2
     const ast::Expression* parse_constant();
@@ -332,6 +333,7 @@ private:
     std::optional<Report> accept_parenthesis_for_bracket();
     void close_parenthesis_for_bracket(Report report);
     void check_element_type(const ast::TypeSpecification& type);
+    void check_no_function_block(const ast::TypeSpecification& type, const char* of);
     void skip_structure();
     const ast::TypeSpecification* parse_too_deep_type();
     const ast::Expression* as_enumerated_value(const ast::Expression& name);

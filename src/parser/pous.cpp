@@ -3,6 +3,14 @@
 #include <utility>
 
 namespace iecfront {
+namespace {
+
+bool has_inputs(const ast::VariableDeclarations* block) noexcept {
+    return block->block == ast::VariableBlock::var_input ||
+           block->block == ast::VariableBlock::var_in_out;
+}
+
+} // namespace
 namespace {} // namespace
 
 // function_declaration = "FUNCTION" derived_function_name ":"
@@ -24,6 +32,8 @@ const ast::FunctionDeclaration* Parser::parse_function_declaration() {
     node->result_type = type_first ? make_missing<ast::ErrorType>() : parse_result_type();
     skip_rest_of_head();
     node->declarations = parse_declaration_blocks(place_);
+    if (std::none_of(node->declarations.begin(), node->declarations.end(), has_inputs))
+        report_node(*node->name, DiagnosticId::function_without_input);
     node->body = parse_body();
     close_block("");
     return finish(node);

@@ -223,10 +223,15 @@ bool Parser::join_missing_closer(const std::string& words) {
     Diagnostic& last = diagnostics_.back();
     const bool of_closer = last.id == DiagnosticId::missing_closing_word;
     const bool unfinished = at_end() && last.range.end >= previous_end();
-    const bool of_semicolon = last.id == DiagnosticId::missing_semicolon;
+    const bool of_semicolon =
+        last.id == DiagnosticId::missing_semicolon || last.id == DiagnosticId::semicolon_left_out;
     if (last.id == DiagnosticId::empty_statement_list || last.range.end < previous_end() ||
         (!of_closer && !of_semicolon && !unfinished))
         return false;
+    if (last.id == DiagnosticId::semicolon_left_out) {
+        last.id = DiagnosticId::missing_semicolon; // there is more that is missing
+        last.arguments.clear();
+    }
     const OpenBlock& block = open_.back();
     last.labels.push_back({tokens_[block.opener].range(),
                            of_closer ? LabelId::opened_here : LabelId::not_closed,
@@ -424,12 +429,25 @@ void Parser::expect_semicolon_of_declaration() {
     accept(TokenKind::semicolon);
 }
 
+/// Behind END_STRUCT and before a closing word, dialects do without the `;`.
+void Parser::report_left_out_semicolon() {
+    const bool behind = end_ > 0 && tokens_[end_ - 1].kind() == TokenKind::kw_end_struct;
+    if (behind || (at(closers) && is_open(kind()))) {
+        const std::uint32_t word = behind ? end_ - 1 : at_;
+        report_missing(DiagnosticId::semicolon_left_out,
+                       {behind ? "behind" : "before", std::string(text(word))})
+            .insert(previous_end(), ";");
+        return;
+    }
+    report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+}
+
 /// What is missing before the `;`, and was reported here, takes the `;` along.
 void Parser::report_missing_semicolon() {
     const bool together = reported_at_ == at_ && !diagnostics_.empty() &&
                           diagnostics_.back().id == DiagnosticId::missing_token;
     if (!together) {
-        report_missing(DiagnosticId::missing_semicolon).insert(previous_end(), ";");
+        report_left_out_semicolon();
         return;
     }
     for (DiagnosticFix& fix : diagnostics_.back().fixes)

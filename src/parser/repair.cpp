@@ -111,6 +111,7 @@ bool is_about_token(const Diagnostic& report) noexcept {
     case DiagnosticId::missing_closing_word:
     case DiagnosticId::stray_closing_word:
     case DiagnosticId::missing_semicolon:
+    case DiagnosticId::semicolon_left_out:
     case DiagnosticId::missing_token:
     case DiagnosticId::unexpected_token:
     case DiagnosticId::missing_expression:
@@ -135,6 +136,7 @@ bool is_specific(const Diagnostic& report) noexcept {
     case DiagnosticId::else_if:
     case DiagnosticId::white_space_in_delimiter: return true;
     case DiagnosticId::extra_semicolon:
+    case DiagnosticId::semicolon_left_out:
     case DiagnosticId::empty_block:
     case DiagnosticId::mixed_block:
     case DiagnosticId::constant_expression:

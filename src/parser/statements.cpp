@@ -544,8 +544,8 @@ const ast::Statement* Parser::as_word_statement(const ast::Expression& name) {
     }
     if (!names_equal(word, "CONTINUE"))
         return nullptr;
-    report_node(name, DiagnosticId::not_a_statement, {quoted(name.first_token)});
-    return finish(make_from<ast::ErrorStatement>(&name));
+    report_node(name, DiagnosticId::continue_statement);
+    return finish(make_from<ast::ContinueStatement>(&name));
 }
 
 // assignment_statement = variable ":=" expression ;

@@ -584,9 +584,16 @@ void Parser::check_element_type(const ast::TypeSpecification& type) {
     case ast::NodeKind::enumerated_specification: what = "an enumeration written out"; break;
     case ast::NodeKind::subrange_specification: what = "a subrange written out"; break;
     case ast::NodeKind::string_specification: what = "a string with a length"; break;
-    default: return;
+    default: check_no_function_block(type, "an array element"); return;
     }
     report_node(type, DiagnosticId::element_type, {what});
+}
+
+/// Elements are of data types. Of the names that a program gives it is not known what they are.
+void Parser::check_no_function_block(const ast::TypeSpecification& type, const char* of) {
+    if (names_function_block(type))
+        report_node(type, DiagnosticId::function_block_as_element,
+                    {std::string(text(type.first_token)), of});
 }
 
 /// In place of array_specification, structure_declaration: passes over one that is nested too deep.
@@ -707,6 +714,7 @@ const ast::Node* Parser::parse_structure_element_declaration() {
                 {tokens_[location->first_token - 1].end(), tokens_[location->end_token - 1].end()});
     expect_colon();
     node->specification = parse_type_specification();
+    check_no_function_block(*node->specification, "a structure element");
     node->initial_value = parse_optional_initial_value();
     check_initial_value(*node->specification, node->initial_value);
     finish(node);

@@ -50,7 +50,7 @@ constexpr BlockRow block_rows[] = {
     /* VAR_IN_OUT   */ {true, true, true, false, false, false, false, false},
     /* VAR_TEMP     */ {false, true, true, false, false, false, false, false},
     /* VAR_EXTERNAL */ {false, true, true, false, false, true, false, false},
-    /* VAR_GLOBAL   */ {false, false, true, true, true, true, true, true},
+    /* VAR_GLOBAL   */ {false, false, true, true, true, true, true, false},
     /* VAR_ACCESS   */ {false, false, true, true, false, false, false, false},
     /* VAR_CONFIG   */ {false, false, false, true, false, false, false, false},
 };
@@ -144,7 +144,7 @@ bool Parser::at_declarations_without_opener() {
 // temp_var_decls = "VAR_TEMP" temp_var_decl ";" { temp_var_decl ";" } "END_VAR" ;
 // external_var_declarations = "VAR_EXTERNAL" [ "CONSTANT" ] external_declaration ";"
 //                             { external_declaration ";" } "END_VAR" ;
-// global_var_declarations = "VAR_GLOBAL" [ "CONSTANT" | "RETAIN" | "NON_RETAIN" ]
+// global_var_declarations = "VAR_GLOBAL" [ "CONSTANT" | "RETAIN" ]
 //                           global_var_decl ";" { global_var_decl ";" } "END_VAR" ;
 // program_access_decls = "VAR_ACCESS" program_access_decl ";" { program_access_decl ";" }
 //                        "END_VAR" ;

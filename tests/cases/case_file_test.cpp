@@ -83,7 +83,7 @@ TEST(CaseFile, EscapesWhatCannotBeSeen) {
 
 TEST(CaseOutcome, AppliesTheFixes) {
     const CaseFile file =
-        read_case_file("f.txt", "=== a\nFUNCTION f : INT f := 1; f := 2 END_FUNCTION\n");
+        read_case_file("f.txt", "=== a\nFUNCTION f : INT f := 1 f := 2; END_FUNCTION\n");
     const CaseOutcome outcome = run_case(file.cases[0]);
     EXPECT_EQ(outcome.fixed, "FUNCTION f : INT f := 1; f := 2; END_FUNCTION\n");
     EXPECT_TRUE(outcome.fixable);

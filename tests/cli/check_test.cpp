@@ -354,8 +354,8 @@ TEST_F(CheckCommand, AnEmptyFileHasNothingWrong) {
 }
 
 TEST_F(CheckCommand, LineEndsAndByteOrderMarkMoveNothing) {
-    write("crlf.st", "PROGRAM p\r\nVAR x : INT; END_VAR\r\nx := 1\r\nEND_PROGRAM\r\n");
-    write("cr.st", "PROGRAM p\rVAR x : INT; END_VAR\rx := 1\rEND_PROGRAM\r");
+    write("crlf.st", "PROGRAM p\r\nVAR x : INT; END_VAR\r\nx := 1\r\nx := 2;\r\nEND_PROGRAM\r\n");
+    write("cr.st", "PROGRAM p\rVAR x : INT; END_VAR\rx := 1\rx := 2;\rEND_PROGRAM\r");
     write("bom.st", "\xEF\xBB\xBF" + std::string(bad_program));
     for (const char* name : {"crlf.st", "cr.st", "bom.st"})
         EXPECT_EQ(first_line(run({"check", name}).out),

@@ -54,6 +54,7 @@ inline constexpr std::string_view good_program = "PROGRAM good\n"
 inline constexpr std::string_view bad_program = "PROGRAM bad\n"
                                                 "VAR x : INT; END_VAR\n"
                                                 "x := 1\n"
+                                                "x := 2;\n"
                                                 "END_PROGRAM\n";
 
 /// A program with a use of an extension, `//`, in line 3.

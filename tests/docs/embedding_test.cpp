@@ -15,6 +15,7 @@ const std::string example = "(* counts *)\n"
                             "    FOR count := 0 TO final DO\n"
                             "        ;\n"
                             "    END_FOR\n"
+                            "    count := final;\n"
                             "END_FUNCTION_BLOCK\n";
 
 TEST(Embedding, Parse) {
@@ -260,7 +261,8 @@ TEST(Embedding, EditorQueries) {
             variables.emplace_back(unit.text(token.range));
 
     EXPECT_EQ(outline, "function_block Counter\n");
-    EXPECT_EQ(variables, (std::vector<std::string>{"final", "count", "count", "final"}));
+    EXPECT_EQ(variables,
+              (std::vector<std::string>{"final", "count", "count", "final", "count", "final"}));
 }
 
 TEST(Embedding, Fragments) {

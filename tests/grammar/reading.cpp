@@ -30,9 +30,8 @@ private:
 std::set<std::string> reported_codes(const SyntaxTree& tree) {
     std::set<std::string> codes;
     for (const Diagnostic& diagnostic : tree.diagnostics()) {
-        const DiagnosticClass category = diagnostic_info(diagnostic.id).category;
-        if (category != DiagnosticClass::limit &&
-            category != DiagnosticClass::implementation_dependent)
+        const DiagnosticInfo& row = diagnostic_info(diagnostic.id);
+        if (row.category != DiagnosticClass::limit && row.default_severity != Severity::allow)
             codes.insert(code_string(diagnostic.id));
     }
     return codes;

@@ -151,8 +151,10 @@ TEST(Durations, WithAFaultAreReportedWhereItIs) {
         {duration, "T#1.5", "1502@2..5"},
         {duration, "T#5_", "1502@2..3"},
         {duration, "T#1h30", "1502@4..6"},
+        // 5008
+        {duration, "T#5us", "5008@3..5"},
+        {duration, "T#1ms5us3ns", "5008@6..8"},
         // 1503
-        {duration, "T#5us", "1503@3..5"},
         {duration, "T#5\xC2\xB5s", "1503@3..6"},
         {duration, "T#1h5min", "1503@5..8"},
         {duration, "T#1E3s", "1503@3..4"},

@@ -309,6 +309,14 @@ struct ExitStatement : Statement {
     static constexpr auto members() { return std::tuple{}; }
 };
 
+/// `CONTINUE` of the third edition: an extension.
+struct ContinueStatement : Statement {
+    static constexpr NodeKind node_kind = NodeKind::continue_statement;
+    ContinueStatement() noexcept : Statement(node_kind) {}
+
+    static constexpr auto members() { return std::tuple{}; }
+};
+
 /// An expression with nothing done to it, `x;`: an extension.
 struct ExpressionStatement : Statement {
     static constexpr NodeKind node_kind = NodeKind::expression_statement;
