@@ -11,6 +11,7 @@
 #include <iecfront/ast/visitor.hpp>
 #include <iecfront/compliance/annex_d.hpp>
 #include <iecfront/compliance/annex_e.hpp>
+#include <iecfront/compliance/dialects.hpp>
 #include <iecfront/compliance/extensions.hpp>
 #include <iecfront/compliance/features.hpp>
 #include <iecfront/compliance/statement.hpp>

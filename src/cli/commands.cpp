@@ -139,6 +139,15 @@ void set_deny(Options& options, std::string_view value) {
     add_severity(options, value, Severity::error);
 }
 
+void set_dialect_name(Options& options, std::string_view value) {
+    std::vector<std::string> names;
+    for (const Dialect& dialect : dialects())
+        names.push_back(dialect.name);
+    options.dialect = find_dialect(value);
+    if (options.dialect == nullptr)
+        throw UsageError(quoted(value) + " is no dialect" + did_you_mean(value, names));
+}
+
 // What SeverityPolicy::strict() does, as far as no later option takes it back.
 void set_strict(Options& options, std::string_view) {
     for (const DiagnosticClass category :
@@ -161,6 +170,9 @@ constexpr OptionRow text_or_json_row = {"--format", "text|json", "how to print (
 constexpr std::array check_options = {
     OptionRow{"--format", "text|json|sarif", "how to print (default: text); SARIF is 2.1.0",
               set_text_json_or_sarif},
+    OptionRow{"--dialect", "NAME",
+              "take the extensions of a dialect: iec2 (default: none), iec2-tools",
+              set_dialect_name},
     OptionRow{"--strict", "", "refuse extensions and reliance on implementation-dependent features",
               set_strict},
     OptionRow{"--warn", "X", "report X as a warning: a code, a name or a class", set_warn},
@@ -204,7 +216,8 @@ A folder stands for every *.st, *.il, *.sfc, *.iec and *.pou in it and below it,
 --warn, --allow and --deny take a code (IEC2001), a name (missing-semicolon) or
 one of the classes violation, error, extension, implementation-dependent, limit;
 they can be repeated, the last one counts, and one for a code or name wins over
-one for a class.
+one for a class. They win over --dialect, --strict and one for all extensions over
+all of it; `iecfront compliance` lists the dialects and their extensions.
 
 exit status:
   0  no violations found: nothing, or what the standard permits

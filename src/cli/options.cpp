@@ -4,6 +4,8 @@
 #include "cli/near_names.hpp"
 #include "cli/platform.hpp"
 
+#include <iecfront/lexer/name.hpp>
+
 #include <algorithm>
 
 namespace iecfront::cli {
@@ -110,6 +112,11 @@ private:
 
 SeverityPolicy Options::policy() const {
     SeverityPolicy policy;
+    const std::string_view all_extensions = to_string(DiagnosticClass::extension);
+    const bool by_class = std::ranges::any_of(
+        severities, [&](const auto& one) { return names_equal(one.first, all_extensions); });
+    if (dialect != nullptr && !by_class)
+        set_dialect(policy, *dialect);
     for (const auto& [what, severity] : severities)
         static_cast<void>(policy.set(what, severity)); // known: checked when it was read
     return policy;

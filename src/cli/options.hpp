@@ -2,6 +2,7 @@
 
 #include "cli/usage_error.hpp"
 
+#include <iecfront/compliance/dialects.hpp>
 #include <iecfront/diagnostics/severity.hpp>
 #include <iecfront/parser/parse.hpp>
 #include <iecfront/source/encoding.hpp>
@@ -30,6 +31,7 @@ struct Options {
     /// How many findings of a file are printed as text; 0 stands for all. No reader wants the
     /// hundred thousand lines that a file of another kind gives.
     std::size_t maximum_findings = 1000;
+    const Dialect* dialect = nullptr; ///< null: the default one
     /// Of --warn, --allow, --deny and --strict, in order.
     std::vector<std::pair<std::string, Severity>> severities;
     bool list = false;

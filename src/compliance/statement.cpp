@@ -4,6 +4,7 @@
 
 #include <iecfront/compliance/annex_d.hpp>
 #include <iecfront/compliance/annex_e.hpp>
+#include <iecfront/compliance/dialects.hpp>
 #include <iecfront/compliance/extensions.hpp>
 #include <iecfront/compliance/features.hpp>
 #include <iecfront/compliance/statement.hpp>
@@ -203,6 +204,29 @@ void append_extensions(Document& document) {
     document.push_back(std::move(table));
 }
 
+// Everything that a dialect does not leave as it is.
+[[nodiscard]] std::string names_of(const Dialect& dialect, Severity treatment) {
+    std::string names;
+    for (const DialectExtension& one : dialect.extensions)
+        if (one.treatment == treatment)
+            names +=
+                (names.empty() ? "" : ", ") + std::string(diagnostic_info(one.diagnostic).name);
+    return names.empty() ? "none" : names;
+}
+
+void append_dialects(Document& document) {
+    document.push_back(Heading{2, "Dialects"});
+    document.push_back(
+        Paragraph{"Named sets of extensions, with their treatments. `iecfront check --dialect "
+                  "NAME` takes one, "
+                  "`set_dialect` in the library. What a dialect does not name keeps its default."});
+    Table table{{"Name", "Description", "Takes", "Warns of"}, {}};
+    for (const Dialect& one : dialects())
+        table.rows.push_back({one.name, std::string(one.description),
+                              names_of(one, Severity::allow), names_of(one, Severity::warning)});
+    document.push_back(std::move(table));
+}
+
 [[nodiscard]] Document statement_document(std::string_view product) {
     Document document;
     append_opening(document, product);
@@ -211,6 +235,7 @@ void append_extensions(Document& document) {
     append_annex_d(document);
     append_annex_e(document);
     append_extensions(document);
+    append_dialects(document);
     return document;
 }
 

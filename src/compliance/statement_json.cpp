@@ -4,6 +4,7 @@
 
 #include <iecfront/compliance/annex_d.hpp>
 #include <iecfront/compliance/annex_e.hpp>
+#include <iecfront/compliance/dialects.hpp>
 #include <iecfront/compliance/extensions.hpp>
 #include <iecfront/compliance/features.hpp>
 #include <iecfront/diagnostics/render_json.hpp>
@@ -153,6 +154,25 @@ void write_extensions(JsonWriter& json) {
     json.end(']');
 }
 
+void write_dialects(JsonWriter& json) {
+    json.begin('[', "dialects");
+    for (const Dialect& dialect : dialects()) {
+        json.begin('{');
+        json.text("name", dialect.name);
+        json.text("description", dialect.description);
+        json.begin('[', "extensions");
+        for (const DialectExtension& one : dialect.extensions) {
+            json.begin('{');
+            json.text("name", diagnostic_info(one.diagnostic).name);
+            json.text("treatment", to_string(one.treatment));
+            json.end('}');
+        }
+        json.end(']');
+        json.end('}');
+    }
+    json.end(']');
+}
+
 } // namespace
 
 std::string json_statement(std::string_view product) {
@@ -166,6 +186,7 @@ std::string json_statement(std::string_view product) {
     write_annex_d(json);
     write_annex_e(json);
     write_extensions(json);
+    write_dialects(json);
     json.end('}');
     return std::move(json).take();
 }

@@ -54,6 +54,19 @@ TEST_F(CheckCommand, WarningsOfExtensionsLeaveTheStatus) {
     EXPECT_TRUE(contains(outcome.out, "\n1 file, 1 warning: no violations found, but"));
 }
 
+TEST_F(CheckCommand, ADialectTakesItsExtensions) {
+    write("extended.st", extended_program);
+    EXPECT_EQ(run({"check", "extended.st"}).status, 1);
+    EXPECT_EQ(run({"check", "--dialect", "iec2", "extended.st"}).status, 1);
+    EXPECT_EQ(run({"check", "--dialect", "iec2-tools", "extended.st"}).status, 0);
+    EXPECT_EQ(
+        run({"check", "--dialect=iec2-tools", "--deny", "line-comment", "extended.st"}).status, 1);
+    EXPECT_EQ(run({"check", "--strict", "--dialect=iec2-tools", "extended.st"}).status, 1);
+    const Outcome unknown = run({"check", "--dialect", "iec2-tool", "extended.st"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_TRUE(contains(unknown.err, "did you mean `iec2-tools`")) << unknown.err;
+}
+
 TEST_F(CheckCommand, AViolationStaysOneAsAWarning) {
     write("bad.st", bad_program);
     const Outcome outcome = run({"check", "--warn", "missing-semicolon", "bad.st"});

@@ -34,7 +34,7 @@ TEST_F(ComplianceCommand, PrintsThePageOfTheDocuments) {
 TEST_F(ComplianceCommand, PrintsJson) {
     const JsonValue json = run_json({"compliance", "--format=json"});
     EXPECT_EQ(json.names(), "product standard requirements features neverExamined annexD annexE "
-                            "extensions");
+                            "extensions dialects");
     EXPECT_EQ(json["product"].text, "iecfront " IECFRONT_VERSION);
     EXPECT_EQ(json["requirements"].items.size(), 10U);
     EXPECT_EQ(json["features"].items.size(), features().size());

@@ -1,5 +1,6 @@
 #include <iecfront/compliance/annex_d.hpp>
 #include <iecfront/compliance/annex_e.hpp>
+#include <iecfront/compliance/dialects.hpp>
 #include <iecfront/compliance/extensions.hpp>
 #include <iecfront/compliance/features.hpp>
 #include <iecfront/compliance/statement.hpp>
@@ -31,6 +32,8 @@ TEST(Statement, HoldsEveryRegistry) {
         EXPECT_TRUE(contains(page, "\n| E" + std::to_string(error.row) + " | "));
     for (const Extension& one : extensions())
         EXPECT_TRUE(contains(page, "\n| " + std::string(diagnostic_info(one.diagnostic).name)));
+    for (const Dialect& one : dialects())
+        EXPECT_TRUE(contains(page, "\n| " + one.name + " | "));
     for (const std::string_view what : never_examined())
         EXPECT_TRUE(contains(page, what)) << what;
 }

@@ -228,7 +228,9 @@ TEST(Embedding, Determination) {
     iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
 
     iecfront::SeverityPolicy policy;
-    policy.set(iecfront::DiagnosticClass::extension, iecfront::Severity::warning);
+    if (const iecfront::Dialect* dialect = iecfront::find_dialect("iec2-tools"))
+        set_dialect(policy, *dialect);
+    policy.set(iecfront::DiagnosticClass::implementation_dependent, iecfront::Severity::warning);
     bool known = policy.set("missing-semicolon", iecfront::Severity::warning);
     iecfront::Determination determination = iecfront::determine(tree.diagnostics(), policy);
 
