@@ -157,8 +157,17 @@ HostPlace SyntaxTree::host_place(std::uint32_t offset, ColumnUnit unit) const no
 std::vector<Diagnostic> SyntaxTree::diagnostics() const {
     std::vector<Diagnostic> result;
     for (const Slot& slot : *slots_)
-        for (const Diagnostic& diagnostic : slot.unit->diagnostics())
+        for (const Diagnostic& diagnostic : slot.unit->diagnostics()) {
             result.push_back(shifted(diagnostic, slot.offset));
+            if (result.size() > options_.maximum_diagnostics) {
+                result.back() = {DiagnosticId::too_many_diagnostics,
+                                 result.back().range,
+                                 {std::uint64_t{options_.maximum_diagnostics}},
+                                 {},
+                                 {}};
+                return result;
+            }
+        }
     return result;
 }
 

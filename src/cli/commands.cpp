@@ -96,6 +96,16 @@ void set_nesting(Options& options, std::string_view value) {
         static_cast<std::uint32_t>(number<1, most_nesting>("--max-nesting", value));
 }
 
+void set_identifier_length(Options& options, std::string_view value) {
+    options.parse.maximum_identifier_length =
+        static_cast<std::uint32_t>(number<1, UINT32_MAX>("--max-identifier-length", value));
+}
+
+void set_diagnostics(Options& options, std::string_view value) {
+    options.parse.maximum_diagnostics =
+        static_cast<std::uint32_t>(number<1, UINT32_MAX>("--max-diagnostics", value));
+}
+
 void set_jobs(Options& options, std::string_view value) {
     options.jobs = static_cast<unsigned>(number<1, 1024>("--jobs", value));
 }
@@ -182,6 +192,10 @@ constexpr std::array check_options = {
               "print at most N findings a file as text (default 1000, 0: all)", set_findings},
     encoding_row,
     nesting_row,
+    OptionRow{"--max-identifier-length", "N",
+              "report identifiers of more than N bytes (default 4096)", set_identifier_length},
+    OptionRow{"--max-diagnostics", "N", "stop after N findings in a file (default 100000)",
+              set_diagnostics},
     OptionRow{"--jobs", "N", "read N files at a time (default: one a processor)", set_jobs},
     OptionRow{"--color", "WHEN", "auto (default), always or never; NO_COLOR is honoured",
               set_colour},

@@ -36,6 +36,8 @@ public:
         parts.diagnostics = take_diagnostics(end, last);
         if (auto broken = check_encoding(parts.text, parts.encoding))
             parts.diagnostics.push_back(std::move(*broken));
+        if (longest_ > options_.maximum_identifier_length)
+            report_long_identifier(tokens, parts.diagnostics);
         sort_by_place(parts.diagnostics);
 
         parse({parts.text, tokens, parts.diagnostics, opener, options_}, parts);
@@ -55,8 +57,11 @@ private:
         const std::size_t count = end_token - token_;
         auto* tokens =
             static_cast<Token*>(arena.allocate((count + 1) * sizeof(Token), alignof(Token)));
-        for (std::size_t i = 0; i < count; ++i)
+        longest_ = 0;
+        for (std::size_t i = 0; i < count; ++i) {
             tokens[i] = source_.lexed.tokens[token_ + i].moved_back(begin_);
+            longest_ = std::max(longest_, tokens[i].length());
+        }
         tokens[count] = Token(TokenKind::end_of_unit, end - begin_, 0, true);
         token_ = end_token;
         return {tokens, count + 1};
@@ -97,6 +102,21 @@ private:
         return diagnostics;
     }
 
+    /// The first one of a unit speaks for all.
+    void report_long_identifier(std::span<const Token> tokens,
+                                std::vector<Diagnostic>& diagnostics) const {
+        const std::uint32_t limit = options_.maximum_identifier_length;
+        const auto found = std::ranges::find_if(tokens, [limit](Token token) {
+            return token.kind() == TokenKind::identifier && token.length() > limit;
+        });
+        if (found != tokens.end())
+            diagnostics.push_back({DiagnosticId::identifier_too_long,
+                                   found->range(),
+                                   {std::uint64_t{limit}},
+                                   {},
+                                   {}});
+    }
+
     // Bytes that are no text are full of them: the first in a unit speaks for all.
     static bool is_about_control_character(const Diagnostic& diagnostic) {
         if (diagnostic.id != DiagnosticId::unexpected_character)
@@ -126,6 +146,7 @@ private:
     const ParseOptions& options_;
     std::size_t cut_ = 0;
     std::uint32_t begin_ = 0;
+    std::uint32_t longest_ = 0; // token of the unit
     std::uint32_t token_ = 0;
     std::size_t trivia_ = 0;
     std::size_t open_ended_ = 0;

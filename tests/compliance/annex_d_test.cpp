@@ -17,10 +17,13 @@ namespace {
 }
 
 TEST(AnnexD, ValuesAreThoseOfTheCode) {
-    const AnnexDParameter* const length = find_parameter(DiagnosticId::text_too_long);
+    const AnnexDParameter* const length = find_parameter(DiagnosticId::identifier_too_long);
     ASSERT_NE(length, nullptr);
-    EXPECT_EQ(value_of(*length),
-              std::to_string(Token::maximum_length) + " bytes, all of them significant");
+    EXPECT_TRUE(value_of(*length).starts_with("4096 bytes, all of them significant, set by "));
+    EXPECT_EQ(length->number, ParseOptions().maximum_identifier_length);
+    const AnnexDParameter* const literal = find_parameter(DiagnosticId::text_too_long);
+    ASSERT_NE(literal, nullptr);
+    EXPECT_EQ(literal->number, Token::maximum_length);
     const AnnexDParameter* const nesting = find_parameter(DiagnosticId::nesting_too_deep);
     ASSERT_NE(nesting, nullptr);
     EXPECT_EQ(nesting->number, ParseOptions().maximum_nesting);

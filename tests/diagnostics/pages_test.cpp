@@ -43,7 +43,8 @@ std::vector<std::string> codes(const std::string& text) {
 
 // Diagnostics whose cause cannot be written on a page of ASCII text, or would fill it.
 constexpr std::string_view without_example[] = {"IEC1001", "IEC1003", "IEC1406", "IEC1407",
-                                                "IEC1409", "IEC9001", "IEC9002", "IEC9003"};
+                                                "IEC1409", "IEC9001", "IEC9002", "IEC9003",
+                                                "IEC9009", "IEC9010"};
 
 TEST(Pages, ThereIsOneForEachDiagnosticAndNoOther) {
     auto rest = pages();

@@ -99,6 +99,10 @@ private:
             current().encoding = rest;
         } else if (name == "max-nesting") {
             current().maximum_nesting = rest;
+        } else if (name == "max-identifier-length") {
+            current().maximum_identifier_length = rest;
+        } else if (name == "max-diagnostics") {
+            current().maximum_diagnostics = rest;
         } else if (name == "report") {
             current().report.push_back(rest);
         } else if (name == "fixes-leave") {

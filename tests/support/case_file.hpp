@@ -16,6 +16,8 @@ namespace iecfront::test {
 ///     : escapes                      \r \n \t \0 \xHH \\ in the source are decoded, and a `\` at
 ///                                    the end of a line takes the line end away
 ///     : max-nesting 5                ParseOptions::maximum_nesting
+///     : max-identifier-length 8      ParseOptions::maximum_identifier_length
+///     : max-diagnostics 2            ParseOptions::maximum_diagnostics
 ///     : report CLASS-OR-CODE         shown though it is allowed by default
 ///     : fixes-leave reason in words  not all is well when the fixes are applied
 ///     source lines
@@ -42,6 +44,8 @@ struct Case {
     std::vector<std::string> tags;
     std::string encoding;
     std::string maximum_nesting;
+    std::string maximum_identifier_length;
+    std::string maximum_diagnostics;
     std::vector<std::string> report;
     std::optional<std::string> fixes_leave;
     bool escapes = false;

@@ -183,8 +183,13 @@ SourceText source_text_of(const Case& one) {
 
 ParseOptions options_of(const Case& one) {
     ParseOptions options;
-    if (!one.maximum_nesting.empty())
-        options.maximum_nesting = static_cast<std::uint32_t>(std::stoul(one.maximum_nesting));
+    const auto set = [](std::uint32_t& limit, const std::string& value) {
+        if (!value.empty())
+            limit = static_cast<std::uint32_t>(std::stoul(value));
+    };
+    set(options.maximum_nesting, one.maximum_nesting);
+    set(options.maximum_identifier_length, one.maximum_identifier_length);
+    set(options.maximum_diagnostics, one.maximum_diagnostics);
     return options;
 }
 

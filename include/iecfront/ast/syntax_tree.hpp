@@ -34,6 +34,12 @@ struct ParseOptions {
     /// but not examined, and reported (`nesting-too-deep`; Annex D, 3.3.1 and 3.3.2). Bounds the
     /// stack that parsing needs: about 1 kB a level in a Release build.
     std::uint32_t maximum_nesting = 256;
+    /// How many bytes an identifier can have. The first longer one of a unit is reported
+    /// (`identifier-too-long`; Annex D, 2.1.2); all of them are significant.
+    std::uint32_t maximum_identifier_length = 4096;
+    /// How many findings `SyntaxTree::diagnostics` gives for a file, the last of which says so
+    /// (`too-many-diagnostics`; Annex D, 1.5.1).
+    std::uint32_t maximum_diagnostics = 100'000;
 
     friend bool operator==(const ParseOptions&, const ParseOptions&) = default;
 };
