@@ -2,6 +2,7 @@
 #include <iecfront/ast/nodes.hpp>
 #include <iecfront/ast/visitor.hpp>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <utility>
@@ -105,8 +106,13 @@ private:
 
     void add(SymbolKind kind, const ast::Node& node, const ast::Identifier& name,
              std::vector<DocumentSymbol> children = {}) {
-        open_.back().push_back({kind, name.missing ? std::string_view() : unit_.text(name),
-                                unit_.range(node), unit_.range(name), std::move(children)});
+        const TextRange range = unit_.range(node);
+        TextRange name_range = unit_.range(name);
+        if (name.missing) // behind the token before, which can be outside of the declaration
+            name_range.begin = name_range.end =
+                std::clamp(name_range.begin, range.begin, range.end);
+        open_.back().push_back({kind, name.missing ? std::string_view() : unit_.text(name), range,
+                                name_range, std::move(children)});
     }
 
     const Unit& unit_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <string>
+#include <vector>
 
 using namespace iecfront;
 
@@ -60,6 +61,23 @@ TEST(DocumentSymbols, GiveTheRangesOfDeclarationAndName) {
     EXPECT_EQ(words(symbols[1].name_range), "T1");
     const std::vector<DocumentSymbol> in_unit = document_symbols(*tree.slots()[1].unit);
     EXPECT_EQ(in_unit[0].range.begin + tree.slots()[1].offset, symbols[1].range.begin);
+}
+
+// Editors refuse an outline whose names lie outside of what they name.
+TEST(DocumentSymbols, NamesLieInsideTheirDeclarations) {
+    for (const char* const text : {"TYPE T : (A, 5); END_TYPE", "TYPE T : (A, \"x\"); END_TYPE",
+                                   "PROGRAM p\nLD a\n5:  LD b\nEND_PROGRAM",
+                                   "PROGRAM p\nVAR_ACCESS\n : a.b : INT;\nEND_VAR\n;END_PROGRAM",
+                                   "PROGRAM p VAR a : INT; END_VAR ; END_PROGRAM"}) {
+        std::vector<DocumentSymbol> symbols = document_symbols(parse(SourceText(text)));
+        EXPECT_FALSE(symbols.empty());
+        while (!symbols.empty()) {
+            const DocumentSymbol symbol = symbols.back();
+            symbols.pop_back();
+            EXPECT_TRUE(symbol.range.contains(symbol.name_range)) << text << ": " << symbol.name;
+            symbols.insert(symbols.end(), symbol.children.begin(), symbol.children.end());
+        }
+    }
 }
 
 TEST(DocumentSymbols, AMissingNameIsEmpty) {

@@ -220,6 +220,43 @@ const Production* Grammar::find(std::string_view name) const {
     return found == productions.end() ? nullptr : &*found;
 }
 
+std::vector<GrammarExtension> read_extensions(std::string_view document,
+                                              std::vector<std::string>& faults) {
+    Grammar all = read_blocks(document, "ebnf-extension");
+    faults = std::move(all.faults);
+    std::vector<GrammarExtension> extensions;
+    for (Production& production : all.productions) {
+        const std::string& heading = production.heading;
+        const std::size_t name = heading.find(" (");
+        const std::string code = heading.substr(std::min(name + 2, heading.size()), 7);
+        if (extensions.empty() || extensions.back().code != code)
+            extensions.push_back({heading.substr(0, name), code, {}});
+        extensions.back().productions.push_back(std::move(production));
+    }
+    return extensions;
+}
+
+Grammar extended_grammar(std::string_view document, const GrammarExtension& extension) {
+    Grammar grammar = read_blocks(document, "ebnf");
+    const Production* replaced = nullptr;
+    for (const Production& production : extension.productions)
+        replaced = replaced == nullptr ? grammar.find(production.name) : replaced;
+    const std::string heading = replaced == nullptr ? "" : replaced->heading;
+    for (const Production& production : extension.productions) {
+        const auto found =
+            std::ranges::find(grammar.productions, production.name, &Production::name);
+        if (found == grammar.productions.end()) {
+            grammar.productions.push_back(production);
+            grammar.productions.back().heading = heading; // as lexical as what it is part of
+        } else {
+            found->text = production.text;
+            found->body = production.body;
+        }
+    }
+    resolve(grammar);
+    return grammar;
+}
+
 Grammar read_grammar(std::string_view document, std::string_view mark) {
     Grammar grammar = read_blocks(document, mark);
     resolve(grammar);

@@ -53,6 +53,22 @@ struct Grammar {
 /// The productions in the blocks of the Markdown text `document` that are marked `mark`.
 [[nodiscard]] Grammar read_grammar(std::string_view document, std::string_view mark = "ebnf");
 
+/// An extension: the productions that it has in the place of others.
+struct GrammarExtension {
+    std::string name; ///< `line-comment`
+    std::string code; ///< `IEC5001`
+    std::vector<Production> productions;
+};
+
+/// What the blocks of `document` that are marked `ebnf-extension` say, each under a heading
+/// `name (code)`. What cannot be read goes to `faults`.
+[[nodiscard]] std::vector<GrammarExtension> read_extensions(std::string_view document,
+                                                            std::vector<std::string>& faults);
+
+/// The grammar of the blocks marked `ebnf`, with an extension.
+[[nodiscard]] Grammar extended_grammar(std::string_view document,
+                                       const GrammarExtension& extension);
+
 /// Calls `visit(const Expression&)` for `expression` and all its parts.
 template<class Visit>
 void for_each_expression(const Expression& expression, Visit&& visit) {
