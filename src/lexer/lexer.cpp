@@ -1317,8 +1317,21 @@ namespace {
     return nullptr;
 }
 
-// True when some line of the stretch ends in `;`, as code does and prose does not.
+// True when some line of the stretch ends in `;`, or is a closing word, as in code and not in
+// prose.
 [[nodiscard]] bool looks_like_code(std::string_view stretch) noexcept {
+    for (std::size_t at = stretch.find("END_"); at != std::string_view::npos;
+         at = stretch.find("END_", at + 1)) {
+        const std::size_t before = stretch.substr(0, at).find_last_not_of(" \t");
+        const std::size_t behind = stretch.find_first_of(" \t;\r\n", at);
+        const std::size_t next = stretch.find_first_not_of(" \t;", behind);
+        const bool first =
+            before == std::string_view::npos || stretch[before] == '\n' || stretch[before] == '\r';
+        const bool last =
+            next == std::string_view::npos || stretch[next] == '\n' || stretch[next] == '\r';
+        if (first && last && keyword_kind(stretch.substr(at, behind - at)) != TokenKind::identifier)
+            return true;
+    }
     for (std::size_t at = stretch.find(';'); at != std::string_view::npos;
          at = stretch.find(';', at + 1)) {
         const std::size_t next = stretch.find_first_not_of(" \t", at + 1);
