@@ -22,7 +22,9 @@ constexpr std::array symbols = {
     CharacterRange{0x00B4, 0x00B4}, CharacterRange{0x00B6, 0x00B8}, CharacterRange{0x00BB, 0x00BF},
     CharacterRange{0x00D7, 0x00D7}, CharacterRange{0x00F7, 0x00F7}, CharacterRange{0x1680, 0x1680},
     CharacterRange{0x180E, 0x180E}, CharacterRange{0x2000, 0x206F}, CharacterRange{0x20A0, 0x20CF},
-    CharacterRange{0x2190, 0x2BFF}, CharacterRange{0x3000, 0x303F}, CharacterRange{0xFEFF, 0xFEFF}};
+    CharacterRange{0x2190, 0x2BFF}, CharacterRange{0x3000, 0x303F}, CharacterRange{0xFEFF, 0xFEFF},
+    CharacterRange{0xFF01, 0xFF0F}, CharacterRange{0xFF1A, 0xFF20}, CharacterRange{0xFF3B, 0xFF3E},
+    CharacterRange{0xFF5B, 0xFF65}};
 
 [[nodiscard]] bool is_symbol(char32_t c) noexcept {
     return std::any_of(symbols.begin(), symbols.end(), [c](const CharacterRange& range) {

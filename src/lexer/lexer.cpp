@@ -126,8 +126,7 @@ private:
     [[nodiscard]] bool can_be_prefix(Token token) const;
 
     bool check_word(const char* begin, const char* end);
-    [[nodiscard]] std::optional<TextRange> surplus_of_parted_keyword(const char* begin,
-                                                                     const char* end) const;
+    bool report_parted_keyword(const char* begin, const char* end);
     void check_underscores(const char* begin, const char* end);
     bool check_foreign_letters(const char* begin, const char* end);
     const char* find_comment_end(const char* begin);
@@ -381,15 +380,17 @@ bool Lexer::check_word(const char* begin, const char* end) {
     return false;
 }
 
-// The blanks in `END_ IF`.
-std::optional<TextRange> Lexer::surplus_of_parted_keyword(const char* begin,
-                                                          const char* end) const {
+// `END_ IF`: true when it is reported.
+bool Lexer::report_parted_keyword(const char* begin, const char* end) {
     const char* const rest = Extents::blanks_end(end);
-    const std::string whole =
-        std::string(view(begin, end)).append(view(rest, extents_.word_end(rest)));
+    const char* const rest_end = extents_.word_end(rest);
+    const std::string whole = std::string(view(begin, end)).append(view(rest, rest_end));
     if (rest == end || keyword_kind(whole) == TokenKind::identifier)
-        return std::nullopt;
-    return range(end, rest);
+        return false;
+    Diagnostic& diagnostic = report(DiagnosticId::misspelt_word, range(begin, rest_end));
+    diagnostic.arguments = {std::string(view(begin, rest_end)), whole};
+    add_replacement(diagnostic, range(begin, rest_end), whole);
+    return true;
 }
 
 void Lexer::check_underscores(const char* begin, const char* end) {
@@ -404,10 +405,10 @@ void Lexer::check_underscores(const char* begin, const char* end) {
         const TextRange where = range(p, run);
         if (p == begin && run == end)
             report(DiagnosticId::lone_underscore, where);
-        else if (run == end)
-            add_replacement(report(DiagnosticId::trailing_underscore, where),
-                            surplus_of_parted_keyword(begin, end).value_or(where));
-        else if (run - p > 1)
+        else if (run == end) {
+            if (!report_parted_keyword(begin, end))
+                add_replacement(report(DiagnosticId::trailing_underscore, where), where);
+        } else if (run - p > 1)
             add_replacement(report(p == begin ? DiagnosticId::leading_underscores
                                               : DiagnosticId::consecutive_underscores,
                                    where),
@@ -1526,7 +1527,8 @@ const char* Lexer::typographic_string(const char* begin, const DecodedCharacter&
 
 namespace {
 
-// Characters that a word processor or a web page puts in the place of others.
+// Characters that a word processor, a web page or an East Asian input method puts in the place of
+// others.
 struct LookAlike {
     char32_t character;
     TokenKind kind;
@@ -1545,6 +1547,22 @@ constexpr std::array look_alikes = {
     LookAlike{0x2260, TokenKind::not_equal, "<>"},
     LookAlike{0x2264, TokenKind::less_equal, "<="},
     LookAlike{0x2265, TokenKind::greater_equal, ">="},
+    LookAlike{0x3000, TokenKind::unknown, " "},
+    LookAlike{0xFF08, TokenKind::left_parenthesis, "("},
+    LookAlike{0xFF09, TokenKind::right_parenthesis, ")"},
+    LookAlike{0xFF0A, TokenKind::star, "*"},
+    LookAlike{0xFF0B, TokenKind::plus, "+"},
+    LookAlike{0xFF0C, TokenKind::comma, ","},
+    LookAlike{0xFF0D, TokenKind::minus, "-"},
+    LookAlike{0xFF0E, TokenKind::dot, "."},
+    LookAlike{0xFF0F, TokenKind::slash, "/"},
+    LookAlike{0xFF1A, TokenKind::colon, ":"},
+    LookAlike{0xFF1B, TokenKind::semicolon, ";"},
+    LookAlike{0xFF1C, TokenKind::less, "<"},
+    LookAlike{0xFF1D, TokenKind::equal, "="},
+    LookAlike{0xFF1E, TokenKind::greater, ">"},
+    LookAlike{0xFF3B, TokenKind::left_bracket, "["},
+    LookAlike{0xFF3D, TokenKind::right_bracket, "]"},
 };
 
 } // namespace
@@ -1559,8 +1577,22 @@ const char* Lexer::look_alike(const char* begin, const DecodedCharacter& charact
     Diagnostic& diagnostic = report(DiagnosticId::unexpected_character, range(begin, end));
     diagnostic.arguments.emplace_back(character.code_point);
     add_replacement(diagnostic, range(begin, end), std::string(found->meant));
-    emit(found->kind, begin, end, true);
-    return end;
+    if (found->kind != TokenKind::colon) {
+        emit(found->kind, begin, end, true);
+        return end;
+    }
+    // `:=` with a colon of full width, and perhaps a sign that is.
+    const DecodedCharacter behind = extents_.decode(end);
+    const bool wide = end != end_ && behind.valid && behind.code_point == 0xFF1D;
+    if (!wide && *end != '=') {
+        emit(TokenKind::colon, begin, end, true);
+        return end;
+    }
+    const char* const assign_end = wide ? end + behind.size : end + 1;
+    if (wide)
+        diagnostic.fixes.front().edits.push_back({range(end, assign_end), "="});
+    emit(TokenKind::assign, begin, assign_end, true);
+    return assign_end;
 }
 
 namespace {

@@ -98,7 +98,8 @@ bool Parser::expect(TokenKind expected) {
         return true;
     const std::string words(spelling(expected));
     const bool intruder = peek() == expected && !at_end() && !is_keyword(kind()) &&
-                          !at(TokenKind::semicolon) && on_same_line(at_, next(at_));
+                          !at(TokenKind::semicolon) && on_same_line(at_, next(at_)) &&
+                          !at_next_declaration();
     if (intruder) {
         Report unexpected = report_unexpected("`" + words + "`");
         if (!at(closing_brackets) && !begins_operand(kind())) // else an operator may be missing
@@ -106,7 +107,8 @@ bool Parser::expect(TokenKind expected) {
         advance();
         return accept(expected);
     }
-    if (closing_brackets.contains(expected) && !at(closing_brackets) && brackets_balance()) {
+    if (closing_brackets.contains(expected) && !at(closing_brackets) && !at_next_declaration() &&
+        brackets_balance()) {
         report_unexpected("an operator or `" + words + "`");
         skip_to(closing_brackets | TokenSet{TokenKind::semicolon});
         return accept(expected);
@@ -242,6 +244,14 @@ Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
     return report(id, {previous_end(), previous_end()}, std::move(arguments));
 }
 
+void Parser::report_unfinished(DiagnosticId id, Arguments arguments) {
+    const bool joins = reported_at_ == at_ && !diagnostics_.empty() &&
+                       diagnostics_.back().range.begin == previous_end();
+    if (joins)
+        diagnostics_.back().fixes.clear();
+    report_missing(id, std::move(arguments));
+}
+
 /// True behind a comment, pragma or string that nothing closes: it has taken the rest of its line,
 /// and what is missing at the cursor with it.
 bool Parser::follows_unclosed() const {
@@ -296,6 +306,10 @@ const ast::Identifier* Parser::make_identifier() {
 }
 
 const ast::Identifier* Parser::make_missing_identifier(std::string what) {
+    if (at_next_declaration()) {
+        report_unfinished(DiagnosticId::missing_name, {std::move(what), describe(at_)});
+        return make_missing<ast::Identifier>();
+    }
     report_at(at_, DiagnosticId::missing_name, {std::move(what), describe(at_)});
     return make_missing<ast::Identifier>();
 }

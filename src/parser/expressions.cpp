@@ -301,7 +301,7 @@ bool Parser::at_misspelt_not() const noexcept {
 // primary_expression = constant | enumerated_value | variable | "(" expression ")"
 //                    | function_name "(" param_list ")" ;
 const ast::Expression* Parser::parse_primary() {
-    if (at_assignment_on_new_line())
+    if (at_assignment_on_new_line() || at_next_declaration())
         return parse_missing_expression();
     switch (kind()) {
     case TokenKind::identifier: return check_function_call(parse_variable());
@@ -395,6 +395,10 @@ bool Parser::statement_ends(std::uint32_t i) const noexcept {
 
 /// In place of expression: there is none.
 const ast::Expression* Parser::parse_missing_expression() {
+    if (at_next_declaration()) {
+        report_unfinished(DiagnosticId::missing_expression, {describe(at_)});
+        return make_missing<ast::ErrorExpression>();
+    }
     if (report_missing(DiagnosticId::missing_expression, {describe(at_)}) &&
         !token().first_on_line() && !at_end())
         diagnostics_.back().range = token().range();

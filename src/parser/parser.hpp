@@ -226,6 +226,9 @@ private:
     Report report_node(const ast::Node& node, DiagnosticId id, Arguments arguments = {});
     /// About something missing behind the last token that was consumed.
     Report report_missing(DiagnosticId id, Arguments arguments = {});
+    /// The same of something that cannot be guessed: to insert what else is missing there does not
+    /// help.
+    void report_unfinished(DiagnosticId id, Arguments arguments = {});
     /// "expected {what}, found {the current token}". A closing bracket that no operand follows gets
     /// its removal as a fix.
     Report report_unexpected(std::string what);
@@ -287,6 +290,8 @@ private:
     [[nodiscard]] static TokenKind closer_of(TokenKind opener) noexcept;
     [[nodiscard]] bool opens_block(TokenKind word);
     [[nodiscard]] bool at_declaration_start() const noexcept;
+    [[nodiscard]] bool at_next_declaration() const noexcept;
+    [[nodiscard]] bool begins_type(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_statement_start() const noexcept;
     void skip_balanced();
     void skip_to(const TokenSet& stop);
@@ -322,6 +327,8 @@ private:
     [[nodiscard]] bool at_next_structure();
     [[nodiscard]] bool at_misspelt_struct();
     [[nodiscard]] bool at_stray_struct();
+    [[nodiscard]] bool at_element_without_struct();
+    void skip_block_words(std::optional<Report>& report);
     const ast::TypeSpecification* parse_type_behind_struct(StructureUse use);
     void parse_structure_elements(ast::StructureDeclaration& structure, std::uint32_t opener);
     const ast::ErrorDeclaration* parse_error_declaration(std::string what);
@@ -339,6 +346,7 @@ private:
     const ast::Expression* as_enumerated_value(const ast::Expression& name);
     const ast::TypeSpecification*
     parse_type_specification(StructureUse use = StructureUse::anonymous);
+    const ast::TypeSpecification* parse_missing_type();
     const ast::TypeSpecification* parse_type_name();
     const ast::TypeSpecification* parse_elementary_type();
     const ast::TypeSpecification* parse_derived_type();

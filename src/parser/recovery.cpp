@@ -287,6 +287,44 @@ bool Parser::at_declaration_start() const noexcept {
            (after == TokenKind::comma && (token().first_on_line() || is_keyword(kind())));
 }
 
+bool Parser::begins_type(std::uint32_t index) const noexcept {
+    static constexpr TokenSet starts{TokenKind::identifier, TokenKind::left_parenthesis,
+                                     TokenKind::kw_array, TokenKind::kw_struct};
+    const TokenKind kind = tokens_[index].kind();
+    return starts.contains(kind) || is_elementary_type_name(kind) || is_generic_type_name(kind);
+}
+
+/// Inside a declaration, at the next one: its names are first on their line. It is never a type, a
+/// bound, an operand or an element of a list, but `a : 1` and `a : Red,` are meant for `a := 1`.
+bool Parser::at_next_declaration() const noexcept {
+    if (!token().first_on_line() || !at(TokenKind::identifier) || open_.empty())
+        return false;
+    static constexpr TokenSet of_declarations{TokenKind::kw_end_var, TokenKind::kw_end_struct,
+                                              TokenKind::kw_end_type};
+    const OpenBlock& block = open_.back();
+    const TokenKind opener = tokens_[block.opener].kind();
+    if (!of_declarations.contains(block.closer) || opener == TokenKind::kw_var_access)
+        return false; // `a :` and a path on the next line, with its own `:`
+    const bool paths = opener == TokenKind::kw_var_config;
+    std::uint32_t behind = next(at_);
+    for (std::uint32_t steps = 0; steps < furthest_on_line; ++steps) {
+        const TokenKind separator = tokens_[behind].kind();
+        const std::uint32_t name = next(behind);
+        if (separator != TokenKind::comma && !(paths && separator == TokenKind::dot))
+            break;
+        if (tokens_[name].kind() != TokenKind::identifier || tokens_[name].first_on_line())
+            return false;
+        behind = next(name);
+    }
+    if (tokens_[behind].kind() == TokenKind::kw_at)
+        return true;
+    static constexpr TokenSet behind_value{TokenKind::comma, TokenKind::right_parenthesis};
+    const std::uint32_t type = next(behind);
+    return tokens_[behind].kind() == TokenKind::colon && begins_type(type) &&
+           !(tokens_[type].kind() == TokenKind::identifier &&
+             behind_value.contains(tokens_[next(type)].kind()));
+}
+
 bool Parser::at_statement_start() const noexcept {
     if (at(statement_words))
         return true;

@@ -22,12 +22,6 @@ constexpr TokenSet behind_bounds{TokenKind::right_parenthesis, TokenKind::right_
 
 constexpr TokenSet string_type_names{TokenKind::kw_string, TokenKind::kw_wstring};
 
-bool begins_type(TokenKind kind) noexcept {
-    static constexpr TokenSet starts{TokenKind::identifier, TokenKind::left_parenthesis,
-                                     TokenKind::kw_array, TokenKind::kw_struct};
-    return starts.contains(kind) || is_elementary_type_name(kind) || is_generic_type_name(kind);
-}
-
 } // namespace
 
 // ---- declarations -------------------------------------------------------------------------------
@@ -122,21 +116,29 @@ const ast::TypeDeclaration* Parser::parse_struct_before_name() {
 
 /// The `:` between a name and its type; `:=` and `=` are common slips for it.
 void Parser::expect_colon() {
+    if (at_next_declaration()) {
+        report_unfinished(DiagnosticId::missing_type, {describe(at_)});
+        return;
+    }
     const bool slip = at(TokenKind::assign) || at(TokenKind::equal);
-    if (slip && begins_type(peek())) {
+    if (slip && begins_type(next(at_))) {
         report_unexpected("`:`").replace(token().range(), ":");
         advance();
         return;
     }
-    if (is_keyword(kind()) && peek() == TokenKind::colon && !begins_type(kind())) {
+    if (is_keyword(kind()) && peek() == TokenKind::colon && !begins_type(at_)) {
         report_unexpected("`:`").remove(token().range());
         count_as_name(kind());
         advance();
         advance();
         return;
     }
-    if (at(TokenKind::colon) || peek() == TokenKind::colon || begins_type(kind())) {
+    if (at(TokenKind::colon) || peek() == TokenKind::colon || begins_type(at_)) {
         expect(TokenKind::colon);
+        return;
+    }
+    if (at(words_of_blocks) && token().first_on_line()) {
+        report_unfinished(DiagnosticId::missing_type, {describe(at_)});
         return;
     }
     // Something that is no part of a name: nothing is read from it.
@@ -174,6 +176,10 @@ bool Parser::colon_follows_on_line() const noexcept {
 // non_generic_type_name = elementary_type_name | derived_type_name ;
 /// Whatever stands behind the `:` of a declaration.
 const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use) {
+    if (at_element_without_struct())
+        return parse_structure_declaration();
+    if (at_next_declaration())
+        return parse_missing_type();
     switch (kind()) {
     case TokenKind::identifier:
         return at_misspelt_struct() ? parse_structure_declaration() : parse_derived_type();
@@ -196,7 +202,16 @@ const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use)
         report_reserved_word(at_);
         return parse_type_name();
     }
-    report_at(at_, DiagnosticId::missing_type, {describe(at_)});
+    return parse_missing_type();
+}
+
+/// In place of simple_specification: nothing that begins a type. A line that breaks off has the
+/// report at its end.
+const ast::TypeSpecification* Parser::parse_missing_type() {
+    if (token().first_on_line() || at_end())
+        report_unfinished(DiagnosticId::missing_type, {describe(at_)});
+    else
+        report_at(at_, DiagnosticId::missing_type, {describe(at_)});
     return make_missing<ast::ErrorType>();
 }
 
@@ -460,7 +475,8 @@ const ast::EnumeratedValueDeclaration* Parser::parse_enumerated_value_declaratio
         check_enumerated_value_names(advance());
         node->name = finish(name);
     } else {
-        node->name = parse_declared_name("an enumerated value");
+        node->name = at_next_declaration() ? make_missing_identifier("an enumerated value")
+                                           : parse_declared_name("an enumerated value");
         // What stands in the place of a name, as the number in `(Red, 5, Blue)`, is passed over.
         if (node->name->missing && !at(TokenKind::comma) && !at(TokenKind::right_parenthesis) &&
             (peek() == TokenKind::comma || peek() == TokenKind::right_parenthesis))
@@ -625,8 +641,12 @@ const ast::TypeSpecification* Parser::parse_structure_declaration() {
     if (guard.too_deep())
         return parse_too_deep_type();
     auto* node = make<ast::StructureDeclaration>();
-    const std::uint32_t opener = at_;
-    if (at(TokenKind::identifier)) {
+    std::uint32_t opener = at_;
+    if (at_element_without_struct()) {
+        opener = at_ - 1; // the `:`
+        ++unclosed(TokenKind::kw_end_struct);
+        report_missing(DiagnosticId::missing_token, {"`STRUCT`"}).insert(previous_end(), " STRUCT");
+    } else if (at(TokenKind::identifier)) {
         ++unclosed(TokenKind::kw_end_struct);
         accept_misspelt(TokenKind::kw_struct);
     } else {
@@ -651,7 +671,7 @@ const ast::TypeSpecification* Parser::parse_type_behind_struct(StructureUse use)
     Report unexpected = report_at(at_, DiagnosticId::missing_type, {describe(at_)});
     count_as_name(kind());
     advance();
-    if (!begins_type(kind()))
+    if (!begins_type(at_))
         return make_missing<ast::ErrorType>();
     unexpected.remove(tokens_[at_ - 1].range());
     return parse_type_specification(use);
@@ -662,6 +682,14 @@ bool Parser::at_misspelt_struct() {
     static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma};
     return peek() == TokenKind::identifier && after_name.contains(peek_second()) &&
            is_misspelling(text(at_), spelling(TokenKind::kw_struct)) &&
+           unclosed(TokenKind::kw_end_struct) < 0;
+}
+
+/// Behind a `:`, at an element of a structure that lacks its STRUCT: an END_STRUCT closes nothing
+/// otherwise.
+bool Parser::at_element_without_struct() {
+    return at(TokenKind::identifier) && peek() == TokenKind::colon && at_ > 0 &&
+           tokens_[at_ - 1].kind() == TokenKind::colon && begins_type(next(next(at_))) &&
            unclosed(TokenKind::kw_end_struct) < 0;
 }
 
@@ -678,12 +706,29 @@ bool Parser::at_next_structure() {
                                    : on_same_line(name, at_);
 }
 
+/// Passes over VAR and END_VAR in a structure that is closed: they stand around the elements of no
+/// structure. All of them are one mistake.
+void Parser::skip_block_words(std::optional<Report>& report) {
+    while ((at(block_openers) && unclosed(TokenKind::kw_end_struct) <= 0) ||
+           (at(TokenKind::kw_end_var) && report)) {
+        if (report)
+            report->also_remove(token().range());
+        else
+            report.emplace(report_at(at_, DiagnosticId::not_a_declaration,
+                                     {"the declaration of a structure element", describe(at_)})
+                               .remove(token().range()));
+        count_as_name(kind());
+        advance();
+    }
+}
+
 /// Part of structure_declaration: the elements of the structure that the token `opener` opens, and
 /// its closing word.
 void Parser::parse_structure_elements(ast::StructureDeclaration& structure, std::uint32_t opener) {
     open_block(TokenKind::kw_end_struct, opener);
     ListBuilder<ast::Node> elements(*this);
-    while (!at_end_of_declarations())
+    std::optional<Report> words;
+    while (skip_block_words(words), !at_end_of_declarations())
         add_in_loop(elements, [this] { return parse_structure_element_declaration(); });
     if (elements.empty())
         report_empty_block(opener);
@@ -727,7 +772,9 @@ const ast::Node* Parser::parse_structure_element_declaration() {
 /// Part of simple_spec_init, subrange_spec_init, enumerated_spec_init, array_spec_init,
 /// initialized_structure: the `:=` and what stands behind it.
 const ast::Expression* Parser::parse_optional_initial_value() {
-    if (at(TokenKind::equal) || (at(TokenKind::colon) && peek() == TokenKind::equal))
+    const bool slip = at(TokenKind::equal) || at(TokenKind::equal_equal) ||
+                      (at(TokenKind::colon) && peek() == TokenKind::equal);
+    if (slip)
         expect_assign();
     else if (!accept(TokenKind::assign))
         return nullptr;
@@ -1055,6 +1102,11 @@ const ast::Expression* Parser::parse_structure_initialization() {
 //     ( constant | enumerated_value | array_initialization | structure_initialization ) ;
 const ast::StructureElementInitialization* Parser::parse_structure_element_initialization() {
     auto* node = make<ast::StructureElementInitialization>();
+    if (at_next_declaration()) {
+        node->name = make_missing_identifier("the name of a structure element");
+        node->value = make_missing<ast::ErrorExpression>();
+        return finish(node);
+    }
     node->name = parse_name("the name of a structure element");
     if (at(TokenKind::dot) || at(TokenKind::left_bracket)) {
         report_unexpected("`:=`");

@@ -522,6 +522,11 @@ const ast::Location* Parser::parse_optional_location() {
         node->variable = parse_direct_variable();
         return finish(node);
     }
+    if (at_next_declaration()) {
+        report_unfinished(DiagnosticId::missing_token, {"a directly represented variable"});
+        node->variable = make_missing<ast::ErrorExpression>();
+        return finish(node);
+    }
     Report unexpected = report_unexpected("a directly represented variable");
     if (const std::uint32_t end = end_of_location_without_sign(); end > at_) {
         unexpected.insert(token().offset(), "%");
