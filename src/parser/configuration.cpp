@@ -111,7 +111,14 @@ const ast::Identifier* Parser::parse_configuration_name() {
 // resource_type_name = identifier ;
 const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
     auto* node = make<ast::ResourceDeclaration>();
-    open_block(TokenKind::kw_end_resource, advance());
+    open_block(TokenKind::kw_end_resource, at_);
+    if (at_resource_without_word()) {
+        ++unclosed(TokenKind::kw_end_resource);
+        report_missing(DiagnosticId::missing_token, {"`RESOURCE`"})
+            .insert(token().offset(), "RESOURCE ");
+    } else {
+        advance();
+    }
     node->name = parse_declared_name("the name of a resource");
     if (!at(TokenKind::kw_on) && !at(TokenKind::identifier)) {
         report_missing(DiagnosticId::missing_token, {"`ON` with a resource type"});
@@ -128,6 +135,12 @@ const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
     finish(node);
     accept_extra_semicolon();
     return node;
+}
+
+/// At `cpu ON plc` without RESOURCE: an END_RESOURCE closes nothing otherwise.
+bool Parser::at_resource_without_word() {
+    return at(TokenKind::identifier) && peek() == TokenKind::kw_on &&
+           peek_second() == TokenKind::identifier && unclosed(TokenKind::kw_end_resource) < 0;
 }
 
 // single_resource_declaration = { task_configuration ";" }
@@ -170,6 +183,8 @@ bool Parser::at_unknown_closer_for_innermost() {
 const ast::Node* Parser::parse_configuration_element(Place place) {
     if (at(block_openers) || at_declarations_without_opener())
         return parse_variable_declarations(place);
+    if (at_resource_without_word())
+        return parse_resource_declaration();
     const TokenKind meant = misspelt_configuration_word();
     if (at(TokenKind::identifier) && meant != TokenKind::end_of_unit) {
         const std::string word(spelling(meant));
@@ -235,7 +250,7 @@ void Parser::expect_semicolon_of_configuration() {
     if (accept_semicolon())
         return;
     if (at(element_words) || token().first_on_line() || at_library_element_closer()) {
-        report_left_out_semicolon();
+        report_missing_semicolon();
         return;
     }
     report_unexpected("`;`");
@@ -295,6 +310,10 @@ const ast::TaskConfiguration* Parser::parse_task_configuration() {
     const std::size_t reports = diagnostics_.size();
     advance();
     node->name = parse_declared_name("the name of a task");
+    if (at_next_declaration()) {
+        report_unfinished(DiagnosticId::missing_token, {"`(` with a priority"});
+        return finish(node);
+    }
     std::optional<Report> missing;
     if (task_word(at_) < task_words.size() && peek() == TokenKind::assign)
         missing.emplace(
@@ -333,6 +352,11 @@ std::size_t Parser::task_word(std::uint32_t token) const noexcept {
 /// One of the three parts; the parentheses belong to the task.
 const ast::TaskInitialization* Parser::parse_task_initialization() {
     auto* node = make<ast::TaskInitialization>();
+    if (at_next_declaration()) {
+        node->name = make_missing_identifier("SINGLE, INTERVAL or PRIORITY");
+        node->value = make_missing<ast::ErrorExpression>();
+        return finish(node);
+    }
     const std::size_t word = task_word(at_);
     const bool priority = word == task_words.size() - 1;
     if (word == task_words.size()) {
@@ -401,6 +425,8 @@ const ast::Expression* Parser::parse_data_sink() {
 /// Part of data_source, prog_data_source, data_sink: what they have in common; expressions are an
 /// extension (6.1 D31).
 const ast::Expression* Parser::parse_connection_operand(std::string what, bool program_output) {
+    if (at_next_declaration())
+        return parse_missing_expression();
     if (at(TokenKind::direct_variable))
         return parse_direct_variable();
     if (at(TokenKind::enumerated_value))
@@ -464,7 +490,7 @@ const ast::ProgramConfiguration* Parser::parse_program_configuration() {
         report_at(at_, DiagnosticId::qualifier_of_block, {std::string(text(at_)), "PROGRAM"});
     node->qualifier = parse_block_qualifiers();
     node->name = parse_declared_name("the name of a program");
-    if (accept(TokenKind::kw_with))
+    if (accept_with())
         node->task = parse_name("the name of a task");
     expect_colon();
     node->type = parse_name("the name of a program type");
@@ -479,15 +505,36 @@ const ast::ProgramConfiguration* Parser::parse_program_configuration() {
     return finish(node);
 }
 
+/// WITH, or an ON in its place, as between a resource and its type.
+bool Parser::accept_with() {
+    if (at(TokenKind::kw_on) && peek() == TokenKind::identifier) {
+        accept_as(TokenKind::kw_with);
+        return true;
+    }
+    return accept(TokenKind::kw_with);
+}
+
+/// `=>`, also with white space in it.
+bool Parser::accept_output_arrow() {
+    if (!at(TokenKind::equal) || peek() != TokenKind::greater)
+        return accept(TokenKind::output_arrow);
+    const TextRange gap{token().end(), tokens_[next(at_)].offset()};
+    report(DiagnosticId::white_space_in_delimiter, gap, {"=>"}).replace(gap, {});
+    advance();
+    advance();
+    return true;
+}
+
 // prog_conf_element = fb_task | prog_cnxn ;
 // fb_task = fb_name "WITH" task_name ;
 // prog_cnxn = symbolic_variable ":=" prog_data_source | symbolic_variable "=>" data_sink ;
 const ast::Node* Parser::parse_prog_conf_element() {
     const std::uint32_t first = at_;
-    const ast::Expression* variable = at(TokenKind::identifier) || at_operand_keyword()
-                                          ? parse_symbolic_variable()
-                                          : parse_missing_expression();
-    if (accept(TokenKind::kw_with)) {
+    const bool begins =
+        (at(TokenKind::identifier) || at_operand_keyword()) && !at_next_declaration();
+    const ast::Expression* variable =
+        begins ? parse_symbolic_variable() : parse_missing_expression();
+    if (accept_with()) {
         auto* task = make<ast::FbTask>();
         task->first_token = first;
         task->fb_name = variable;
@@ -500,12 +547,12 @@ const ast::Node* Parser::parse_prog_conf_element() {
     auto* connection = make<ast::ProgCnxn>();
     connection->first_token = variable->missing ? variable->first_token : first;
     connection->variable = variable;
-    connection->output = accept(TokenKind::output_arrow);
+    connection->output = accept_output_arrow();
     check_symbolic_variable(*variable);
     static constexpr TokenSet behind_element{TokenKind::comma, TokenKind::right_parenthesis};
     if (at(behind_element))
         report_missing(DiagnosticId::missing_token, {"`:=` with a source, `=>` with a sink,"});
-    else if (!connection->output)
+    else if (!connection->output && !at_next_declaration())
         expect_assign();
     connection->operand = connection->output ? parse_data_sink() : parse_prog_data_source();
     return finish(connection);
@@ -595,6 +642,8 @@ const ast::InstanceSpecificInit* Parser::parse_instance_specific_init() {
     node->location = parse_optional_location();
     expect_colon();
     node->specification = parse_type_specification();
+    if (at(TokenKind::kw_at) && node->location == nullptr)
+        parse_location_behind_type(node->first_token, node->path.back()->end_token);
     node->initial_value = parse_optional_initial_value();
     check_initial_value(*node->specification, node->initial_value);
     finish(node);

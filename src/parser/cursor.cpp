@@ -323,7 +323,7 @@ const ast::Identifier* Parser::parse_name(std::string what) {
         return name;
     }
     static constexpr TokenSet behind_parameter{TokenKind::assign, TokenKind::output_arrow};
-    if (is_keyword(kind()) &&
+    if (is_keyword(kind()) && !at_next_declaration() &&
         (used_as_name(kind()) || at_operand_keyword() || behind_parameter.contains(peek())))
         return take_reserved_word();
     return make_missing_identifier(std::move(what));

@@ -81,7 +81,11 @@ TokenKind Parser::misspelt_opener(std::uint32_t index) const noexcept {
     for (const TokenKind opener : elements_with_words)
         if (is_misspelling(text(index), spelling(opener)))
             return opener;
-    return TokenKind::end_of_unit;
+    // FUNCTION is the likelier one of two that begin alike.
+    const auto begun =
+        std::find_if(std::rbegin(elements_with_words), std::rend(elements_with_words),
+                     [&](TokenKind opener) { return is_beginning(text(index), spelling(opener)); });
+    return begun == std::rend(elements_with_words) ? TokenKind::end_of_unit : *begun;
 }
 
 /// `FUNCTION BLOCK name`: passes over the first word.
@@ -146,7 +150,9 @@ bool Parser::ends_library_element(std::uint32_t index) const noexcept {
            (here == TokenKind::identifier &&
             std::any_of(std::begin(elements_with_words), std::end(elements_with_words),
                         [&](TokenKind opener) {
-                            return is_misspelling(text(index), spelling(closer_of(opener)));
+                            const std::string_view closer = spelling(closer_of(opener));
+                            return is_misspelling(text(index), closer) ||
+                                   is_abbreviation(text(index), closer);
                         }));
 }
 

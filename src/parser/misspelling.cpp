@@ -80,6 +80,11 @@ bool is_abbreviation(std::string_view word, std::string_view meant) noexcept {
     return begins_with_word(letters_of(meant)) || begins_with_word(initials);
 }
 
+bool is_beginning(std::string_view word, std::string_view meant) noexcept {
+    constexpr std::size_t shortest = 5;
+    return word.size() >= shortest && names_equal(word, meant.substr(0, word.size()));
+}
+
 bool is_misspelling(std::string_view word, std::string_view meant) noexcept {
     return misspelt_letters(word, meant).has_value();
 }

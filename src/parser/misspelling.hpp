@@ -14,6 +14,9 @@ namespace iecfront {
 [[nodiscard]] std::optional<std::size_t> misspelt_letters(std::string_view word,
                                                           std::string_view meant) noexcept;
 
+/// True when `word` is the beginning of the keyword `meant`, and long enough to tell: `CONFIG`.
+[[nodiscard]] bool is_beginning(std::string_view word, std::string_view meant) noexcept;
+
 /// True when `word` is short for the closing word `meant`: its beginning (`END_CONF`), or END with
 /// the first letters of its parts (`END_FB`).
 [[nodiscard]] bool is_abbreviation(std::string_view word, std::string_view meant) noexcept;

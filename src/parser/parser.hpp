@@ -291,6 +291,7 @@ private:
     [[nodiscard]] bool opens_block(TokenKind word);
     [[nodiscard]] bool at_declaration_start() const noexcept;
     [[nodiscard]] bool at_next_declaration() const noexcept;
+    [[nodiscard]] bool at_next_configuration_part() const noexcept;
     [[nodiscard]] bool begins_type(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_statement_start() const noexcept;
     void skip_balanced();
@@ -399,6 +400,7 @@ private:
     const ast::VariableDeclarations* parse_variable_declarations(Place place);
     [[nodiscard]] bool at_end_of_declarations();
     [[nodiscard]] bool at_declarations_without_opener();
+    [[nodiscard]] bool at_block_of_location();
     [[nodiscard]] bool at_configuration_part() const noexcept;
     [[nodiscard]] bool at_unknown_block() const noexcept;
     [[nodiscard]] TokenKind misspelt_block_opener() const noexcept;
@@ -410,7 +412,8 @@ private:
     [[nodiscard]] bool at_unknown_qualifier() const noexcept;
     const ast::Node* parse_type_before_names();
     void accept_qualifier_of_declaration(const ast::VariableDeclarations& block);
-    void parse_location_behind_type(const ast::VariableDeclaration& declaration);
+    void drop_qualifier_behind_type();
+    void parse_location_behind_type(std::uint32_t declaration, std::uint32_t names_end);
     const ast::VariableDeclaration* parse_names_only(ast::VariableDeclaration* node);
     void check_block(const ast::VariableDeclarations& block, std::uint32_t qualifier, Place place);
     ast::BlockQualifier parse_block_qualifiers();
@@ -512,6 +515,9 @@ private:
     [[nodiscard]] bool at_unknown_closer() const noexcept;
     [[nodiscard]] bool at_unknown_closer_for_innermost();
     const ast::ResourceDeclaration* parse_resource_declaration();
+    [[nodiscard]] bool at_resource_without_word();
+    bool accept_with();
+    bool accept_output_arrow();
     ast::List<ast::Node> parse_configuration_elements(Place place);
     [[nodiscard]] bool at_end_of_configuration_elements(Place place);
     const ast::Node* parse_configuration_element(Place place);

@@ -297,8 +297,10 @@ bool Parser::begins_type(std::uint32_t index) const noexcept {
 /// Inside a declaration, at the next one: its names are first on their line. It is never a type, a
 /// bound, an operand or an element of a list, but `a : 1` and `a : Red,` are meant for `a := 1`.
 bool Parser::at_next_declaration() const noexcept {
-    if (!token().first_on_line() || !at(TokenKind::identifier) || open_.empty())
+    if (!token().first_on_line() || open_.empty())
         return false;
+    if (!at(TokenKind::identifier))
+        return at_next_configuration_part();
     static constexpr TokenSet of_declarations{TokenKind::kw_end_var, TokenKind::kw_end_struct,
                                               TokenKind::kw_end_type};
     const OpenBlock& block = open_.back();
@@ -323,6 +325,17 @@ bool Parser::at_next_declaration() const noexcept {
     return tokens_[behind].kind() == TokenKind::colon && begins_type(type) &&
            !(tokens_[type].kind() == TokenKind::identifier &&
              behind_value.contains(tokens_[next(type)].kind()));
+}
+
+/// The same in a configuration or resource, at RESOURCE, TASK or PROGRAM with a name behind it.
+bool Parser::at_next_configuration_part() const noexcept {
+    static constexpr TokenSet parts{TokenKind::kw_resource, TokenKind::kw_task,
+                                    TokenKind::kw_program};
+    static constexpr TokenSet behind_part{TokenKind::identifier, TokenKind::kw_retain,
+                                          TokenKind::kw_non_retain};
+    const TokenKind closer = open_.back().closer;
+    return at(parts) && behind_part.contains(peek()) &&
+           (closer == TokenKind::kw_end_resource || closer == TokenKind::kw_end_configuration);
 }
 
 bool Parser::at_statement_start() const noexcept {

@@ -520,9 +520,10 @@ const ast::TypeSpecification* Parser::parse_array_specification() {
         report_missing(DiagnosticId::missing_token, {"`[` with a subrange"});
     else
         node->subranges = parse_subranges();
+    const bool of_before_bracket = end_ > 1 && tokens_[end_ - 2].kind() == TokenKind::kw_of;
     if (at(TokenKind::colon))
         accept_as(TokenKind::kw_of);
-    else
+    else if (!of_before_bracket)
         expect(TokenKind::kw_of);
     node->element_type = parse_type_specification(StructureUse::named);
     check_element_type(*node->element_type);
@@ -542,7 +543,11 @@ ast::List<ast::Subrange> Parser::parse_subranges() {
         close_parenthesis_for_bracket(*parentheses);
     else if (at(TokenKind::right_parenthesis) && peek() == TokenKind::kw_of)
         accept_as(TokenKind::right_bracket);
-    else
+    else if (at(TokenKind::kw_of) && peek() == TokenKind::right_bracket) { // `[0..9 OF] INT`
+        report_swapped(next(at_));
+        advance();
+        advance();
+    } else
         expect_closing(TokenKind::right_bracket);
     return subranges.finish();
 }
@@ -778,7 +783,10 @@ const ast::Expression* Parser::parse_optional_initial_value() {
         expect_assign();
     else if (!accept(TokenKind::assign))
         return nullptr;
-    return parse_initial_value();
+    static constexpr TokenSet opening{TokenKind::left_bracket, TokenKind::left_parenthesis};
+    const bool lacks_bracket =
+        !at(opening) && !token().first_on_line() && list_closes_on_line(TokenKind::right_bracket);
+    return lacks_bracket ? parse_array_initialization() : parse_initial_value();
 }
 
 // array_initial_element = constant | enumerated_value | structure_initialization
@@ -1033,8 +1041,8 @@ const ast::Expression* Parser::parse_array_initialization() {
         return parse_too_deep_expression();
     auto* node = make<ast::ArrayInitialization>();
     const std::optional<Report> parentheses = accept_parenthesis_for_bracket();
-    if (!parentheses)
-        advance();
+    if (!parentheses && !accept(TokenKind::left_bracket)) // `1, 2]`
+        report_missing(DiagnosticId::missing_token, {"`[`"}).insert(token().offset(), "[");
     ListBuilder<ast::Expression> elements(*this);
     std::optional<Report> semicolons;
     const TokenKind bracket = parentheses ? TokenKind::right_parenthesis : TokenKind::right_bracket;

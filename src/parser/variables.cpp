@@ -32,6 +32,13 @@ TokenKind opener_of(VariableBlock block) noexcept {
                                   static_cast<unsigned>(block));
 }
 
+/// `GLOBAL` of VAR_GLOBAL; nothing of VAR.
+std::string_view without_prefix(TokenKind opener) noexcept {
+    constexpr std::string_view prefix = "VAR_";
+    const std::string_view word = spelling(opener);
+    return word.size() < prefix.size() ? std::string_view() : word.substr(prefix.size());
+}
+
 ast::Edge edge_of(TokenKind word) noexcept {
     return word == TokenKind::kw_r_edge ? ast::Edge::rising : ast::Edge::falling;
 }
@@ -60,7 +67,7 @@ constexpr BlockRow block_rows[] = {
 bool Parser::at_end_of_declarations() {
     static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
     if (at(ends_of_declarations))
-        return at_end() ||
+        return at_end() || at_block_of_location() ||
                (!after_name.contains(peek()) && end_of_declaration_with_stray_word() == at_);
     if (at_misspelt_closer() || at_foreign_closer() || at_next_structure())
         return true;
@@ -72,6 +79,12 @@ bool Parser::at_end_of_declarations() {
                              at(TokenKind::identifier) && begins_instruction_on_line();
     const bool empty = at(TokenKind::semicolon) && unit_ends.contains(peek());
     return open_.back().closer == TokenKind::kw_end_var && (statement || instruction || empty) &&
+           unclosed(TokenKind::kw_end_var) > 0;
+}
+
+/// At `VAR AT %QX0.1 : BOOL;`, which begins another block: END_VAR is missing before it.
+bool Parser::at_block_of_location() {
+    return at(block_openers) && token().first_on_line() && peek() == TokenKind::kw_at &&
            unclosed(TokenKind::kw_end_var) > 0;
 }
 
@@ -103,6 +116,8 @@ TokenKind Parser::misspelt_block_opener() const noexcept {
     std::size_t fewest = 2;
     for (const BlockRow& row : block_rows) {
         const auto opener = opener_of(static_cast<VariableBlock>(&row - block_rows));
+        if (names_equal(text(at_), without_prefix(opener))) // `GLOBAL`
+            return opener;
         const auto wrong = misspelt_letters(text(at_), spelling(opener));
         if (wrong && *wrong < fewest) {
             fewest = *wrong;
@@ -288,10 +303,13 @@ ast::BlockQualifier Parser::parse_block_qualifiers() {
 TokenKind Parser::misspelt_qualifier() const noexcept {
     if (at(qualifiers))
         return kind();
-    if (at(TokenKind::identifier) && !token().first_on_line() && after_opener.contains(peek()))
+    const bool alone = peek() == TokenKind::kw_at && tokens_[next(at_)].first_on_line();
+    if (at(TokenKind::identifier) && !token().first_on_line() &&
+        (after_opener.contains(peek()) || alone))
         for (const TokenKind meant :
              {TokenKind::kw_constant, TokenKind::kw_retain, TokenKind::kw_non_retain})
-            if (is_misspelling(text(at_), spelling(meant)))
+            if (is_misspelling(text(at_), spelling(meant)) ||
+                is_beginning(text(at_), spelling(meant)))
                 return meant;
     return TokenKind::end_of_unit;
 }
@@ -443,12 +461,22 @@ Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place
     if (!edge_first)
         node->edge = parse_optional_edge(block, place, *node->specification);
     if (at(TokenKind::kw_at) && node->location == nullptr && !node->names.empty())
-        parse_location_behind_type(*node);
+        parse_location_behind_type(node->first_token, node->names.back()->end_token);
+    drop_qualifier_behind_type();
     node->initial_value = parse_optional_initial_value();
     finish(node);
     check_declaration(*node, block, place);
     expect_semicolon_of_declaration();
     return node;
+}
+
+/// `x : INT CONSTANT := 5;`: it is the block that has a qualifier.
+void Parser::drop_qualifier_behind_type() {
+    static constexpr TokenSet behind{TokenKind::assign, TokenKind::semicolon};
+    if (!at(qualifiers) || !behind.contains(peek()))
+        return;
+    report_unexpected("`;`").remove(token().range());
+    advance();
 }
 
 /// In place of var_init_decl: `INT x, y := 1;`, as other languages declare variables.
@@ -559,13 +587,13 @@ std::uint32_t Parser::end_of_location_without_sign() const noexcept {
 }
 
 /// In place of located_var_decl: `x : BOOL AT %IX1`, which is written `x AT %IX1 : BOOL`.
-void Parser::parse_location_behind_type(const ast::VariableDeclaration& declaration) {
+void Parser::parse_location_behind_type(std::uint32_t declaration, std::uint32_t names_end) {
     const std::uint32_t before = previous_end();
     const std::uint32_t first = at_;
     parse_optional_location();
     const TextRange location = token_range(first, end_);
-    const TextRange all = token_range(declaration.first_token, end_);
-    const std::uint32_t name_end = tokens_[declaration.names.back()->end_token - 1].end();
+    const TextRange all = token_range(declaration, end_);
+    const std::uint32_t name_end = tokens_[names_end - 1].end();
     const std::string moved = " " + std::string(text_.substr(location.begin, location.size()));
     const std::string meant = std::string(text_.substr(all.begin, name_end - all.begin)) + moved +
                               std::string(text_.substr(name_end, before - name_end));
