@@ -313,9 +313,10 @@ TEST(Dates, TellTheirFaultsInTheUsersWords) {
     EXPECT_EQ(words(date, "D#1984-13-1"), "there is no month 13");
     EXPECT_EQ(words(date, "D#1984-06-31"), "June has no day 31");
     EXPECT_EQ(words(date, "D#1985-02-29"), "February 1985 has no day 29");
-    EXPECT_EQ(words(time_of_day, "TOD#12"), "a time of day has the form `TOD#15:36:55.36`");
+    EXPECT_EQ(words(time_of_day, "TOD#12"),
+              "a literal with a time of day has the form `TOD#15:36:55.36`");
     EXPECT_EQ(words(date_and_time, "DT#1984-06-25"),
-              "a time of day has the form `DT#1984-06-25-15:36:55.36`");
+              "a literal with a time of day has the form `DT#1984-06-25-15:36:55.36`");
     EXPECT_EQ(words(duration, "T#1h75m"),
               "`m` goes up to 59 here: only the first unit can overflow");
     EXPECT_EQ(words(duration, "T#5m3h"), "`h` cannot follow `m`: larger units come first");
