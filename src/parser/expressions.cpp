@@ -211,8 +211,9 @@ const ast::Expression* Parser::parse_shift(const ast::Expression* left) {
 /// What two delimiters in a row mean that cannot stand so: `< =`, `* *`, `=<` or `===`; end_of_unit
 /// for any others.
 TokenKind Parser::split_operator() const noexcept {
-    static constexpr TokenSet firsts{TokenKind::less, TokenKind::greater, TokenKind::equal,
-                                     TokenKind::equal_equal, TokenKind::star};
+    static constexpr TokenSet firsts{TokenKind::less,  TokenKind::greater,
+                                     TokenKind::equal, TokenKind::equal_equal,
+                                     TokenKind::star,  TokenKind::exclamation_equal};
     if (!at(firsts) || !on_same_line(at_, next(at_)))
         return TokenKind::end_of_unit;
     const TokenKind after = peek();
@@ -225,6 +226,9 @@ TokenKind Parser::split_operator() const noexcept {
         return after == TokenKind::equal ? TokenKind::greater_equal : TokenKind::end_of_unit;
     case TokenKind::equal_equal:
         return after == TokenKind::equal ? TokenKind::equal : TokenKind::end_of_unit;
+    case TokenKind::exclamation_equal:
+        return after == TokenKind::equal && adjoins_next() ? TokenKind::not_equal
+                                                           : TokenKind::end_of_unit;
     case TokenKind::equal:
         if (after == TokenKind::equal)
             return TokenKind::equal;
@@ -517,9 +521,36 @@ const ast::Expression* Parser::parse_selectors(const ast::Expression* head) {
             report_unexpected("`.`").replace(token().range(), ".");
             head = parse_field(head);
             break;
+        case TokenKind::minus:
+            if (!at_arrow_for_dot())
+                return head;
+            head = parse_arrow(head);
+            break;
+        case TokenKind::right_bracket:
+            if (peek() != TokenKind::dot || !adjoins_next() || closes_open_bracket())
+                return head;
+            report_unexpected("`.`");
+            advance();
+            break;
         default: return head;
         }
     }
+}
+
+/// `a->b`
+bool Parser::at_arrow_for_dot() const noexcept {
+    const std::uint32_t second = next(at_);
+    return at(TokenKind::minus) && peek() == TokenKind::greater &&
+           peek_second() == TokenKind::identifier && adjoins_next() &&
+           tokens_[second].end() == tokens_[next(second)].offset();
+}
+
+/// In place of structured_variable: `a->b`, as in C.
+const ast::Expression* Parser::parse_arrow(const ast::Expression* head) {
+    const TextRange arrow = token_range(at_, next(at_) + 1);
+    report(DiagnosticId::foreign_operator, arrow, {"->", "."}).replace(arrow, ".");
+    advance();
+    return parse_field(head);
 }
 
 /// `a..b := 1`: between two names in a statement, where nothing behind them makes them the bounds
@@ -549,13 +580,22 @@ const ast::Expression* Parser::parse_subscripts(const ast::Expression* head) {
     std::optional<Report> semicolons;
     do
         subscripts.add(parse_expression());
-    while (accept(TokenKind::comma) || accept_missing_comma() ||
-           accept_semicolon_for_comma(TokenKind::right_bracket, semicolons));
+    while (!at_formal_argument_behind_comma() &&
+           (accept(TokenKind::comma) || accept_missing_comma() ||
+            accept_semicolon_for_comma(TokenKind::right_bracket, semicolons)));
     in_condition_ = outer;
     expect(TokenKind::right_bracket);
     node->subscripted_variable = head;
     node->subscripts = subscripts.finish();
     return finish(node);
+}
+
+/// `, PT := b`, which is no subscript.
+bool Parser::at_formal_argument_behind_comma() const noexcept {
+    if (!at(TokenKind::comma) || peek() != TokenKind::identifier)
+        return false;
+    const TokenKind behind_name = peek_second();
+    return behind_name == TokenKind::assign || behind_name == TokenKind::output_arrow;
 }
 
 /// True for an operand: an assignment cannot begin with it.
@@ -612,16 +652,24 @@ ast::List<ast::Node> Parser::parse_arguments() {
     const std::size_t reports = diagnostics_.size();
     const std::uint32_t open = advance();
     ListBuilder<ast::Node> arguments(*this);
+    std::optional<Report> doubled = accept_doubled_parenthesis();
     const bool unfinished = at_end_of_unfinished_call(open);
     if (!at(TokenKind::right_parenthesis) && !unfinished) {
         const ast::Node* last = nullptr;
+        std::optional<Report> semicolons;
         do
             arguments.add(last = parse_argument(open));
         while (accept_argument_comma(open, is_formal(*last)) ||
+               accept_semicolon_of_arguments(is_formal(*last), semicolons) ||
                accept_missing_comma(is_formal(*last)));
     }
     static constexpr TokenSet expected{TokenKind::right_parenthesis, TokenKind::right_bracket,
                                        TokenKind::semicolon};
+    if (doubled && at(TokenKind::right_parenthesis) && peek() == TokenKind::right_parenthesis) {
+        if (*doubled)
+            doubled->also_remove(token().range());
+        advance();
+    }
     const bool head_ends = at(part_words) && !brackets_balance(); // `IF f(a THEN`
     if (at(expected) || head_ends || token().first_on_line()) {
         expect(TokenKind::right_parenthesis);
@@ -635,6 +683,19 @@ ast::List<ast::Node> Parser::parse_arguments() {
     if (diagnostics_.size() == reports)
         check_arguments(list);
     return list;
+}
+
+/// `t((IN := a);`: no expression has a name with `:=` in it.
+std::optional<Parser::Report> Parser::accept_doubled_parenthesis() {
+    static constexpr TokenSet behind_parameter{TokenKind::assign, TokenKind::output_arrow};
+    const std::uint32_t name = next(at_);
+    if (!at(TokenKind::left_parenthesis) || tokens_[name].kind() != TokenKind::identifier ||
+        !behind_parameter.contains(tokens_[next(name)].kind()))
+        return std::nullopt;
+    Report doubled = report_unexpected("an argument").remove(token().range());
+    advance();
+    reported_at_ = at_ - 1;
+    return doubled;
 }
 
 /// Behind `(`: true at what ends the statement, or begins one on the next line, when no `)`
@@ -701,6 +762,40 @@ bool Parser::accept_missing_comma(bool named) {
     report_unexpected("`,`").replace(token().range(), ",");
     advance();
     return true;
+}
+
+/// `f(a; b; c)`: one report for all of them.
+bool Parser::accept_semicolon_of_arguments(bool formal, std::optional<Report>& first) {
+    if (!at(TokenKind::semicolon) || (!first && !semicolons_separate(formal)))
+        return false;
+    if (!first)
+        first.emplace(report_unexpected("`,`").replace(token().range(), ","));
+    else if (*first)
+        diagnostics_[first->index()].fixes.front().edits.push_back({token().range(), ","});
+    advance();
+    return true;
+}
+
+/// At a `;` in arguments: true when more of them, and then the `)`, follow in this line.
+bool Parser::semicolons_separate(bool formal) const noexcept {
+    std::uint32_t depth = 0;
+    std::uint32_t i = at_;
+    for (std::uint32_t steps = 0; steps < furthest_on_line; i = next(i), ++steps) {
+        const TokenKind here = tokens_[i].kind();
+        if (tokens_[i].first_on_line() || statement_words.contains(here) || i == count_)
+            return false;
+        const bool assigns = here == TokenKind::assign || here == TokenKind::output_arrow;
+        const std::uint32_t behind = next(i);
+        const TokenKind after_name = tokens_[next(behind)].kind();
+        const bool named = after_name == TokenKind::assign || after_name == TokenKind::output_arrow;
+        if ((depth == 0 && assigns && !formal) ||
+            (here == TokenKind::semicolon && (named != formal || !begins_operand_on_line(behind))))
+            return false;
+        if (here == TokenKind::right_parenthesis && depth-- == 0)
+            return true;
+        depth += here == TokenKind::left_parenthesis ? 1 : 0;
+    }
+    return false;
 }
 
 /// True when a `)` ends what begins at token `i` before a `;` does; a list too long to be looked
@@ -774,8 +869,9 @@ bool Parser::lacks_assign(const ast::Node& value, std::uint32_t open) const noex
 /// `b = 2` or `b == 2` in the list of formal arguments that begins at `open`.
 bool Parser::at_equal_for_assign(std::uint32_t open) const noexcept {
     static constexpr TokenSet look_alikes{TokenKind::equal, TokenKind::equal_equal};
+    const bool in_invocation = open == invocation_ && peek() == TokenKind::equal_equal;
     return (at(TokenKind::identifier) || at(execution_control)) && look_alikes.contains(peek()) &&
-           argument_list_closes(next(open)) && has_formal_argument(open);
+           argument_list_closes(next(open)) && (in_invocation || has_formal_argument(open));
 }
 
 /// True when `:=` or `=>` stands directly in the list that begins at `open`.

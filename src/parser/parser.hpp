@@ -269,6 +269,7 @@ private:
         bool in_else = false; // of IF or CASE: no other part follows
         // Of its opener, when its statements are indented: none of them begins in it, or before it.
         std::optional<std::uint32_t> column = {};
+        std::optional<std::uint32_t> label = {}; // of CASE: the last one that begins a line
     };
     void open_block(TokenKind closer, std::uint32_t opener) { open_.push_back({closer, opener}); }
     /// Ends the innermost block: takes its closing word, or a misspelt or mismatched one, or
@@ -280,6 +281,7 @@ private:
     [[nodiscard]] bool closes_outer_block() const noexcept;
     [[nodiscard]] bool at_misspelt_closer() const noexcept;
     [[nodiscard]] bool at_split_word(std::string_view closer) const noexcept;
+    [[nodiscard]] std::uint32_t second_of_split_word() const noexcept;
     [[nodiscard]] bool closes_open_bracket() const noexcept;
     [[nodiscard]] bool brackets_balance() const noexcept;
     [[nodiscard]] bool at_foreign_closer();
@@ -561,7 +563,12 @@ private:
     const ast::Expression* parse_subscripts(const ast::Expression* head);
     const ast::Expression* parse_field(const ast::Expression* head);
     [[nodiscard]] bool at_doubled_dot() const noexcept;
+    [[nodiscard]] bool at_arrow_for_dot() const noexcept;
+    const ast::Expression* parse_arrow(const ast::Expression* head);
+    [[nodiscard]] bool at_early_end_if();
+    void skip_early_end_if();
     [[nodiscard]] bool follows_operator(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_formal_argument_behind_comma() const noexcept;
     const ast::Expression* parse_call(const ast::Expression* callee);
     void check_has_parts(const ast::Expression& variable);
     ast::List<ast::Node> parse_arguments();
@@ -585,6 +592,9 @@ private:
     [[nodiscard]] bool formal_list_follows() const noexcept;
     [[nodiscard]] static unsigned operator_strength(TokenKind kind) noexcept;
     bool accept_missing_comma(bool named = false);
+    bool accept_semicolon_of_arguments(bool formal, std::optional<Report>& first);
+    [[nodiscard]] bool semicolons_separate(bool formal) const noexcept;
+    std::optional<Report> accept_doubled_parenthesis();
     bool accept_argument_comma(std::uint32_t open, bool formal);
     [[nodiscard]] bool stands_right_of_line(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_end_of_unfinished_call(std::uint32_t open) const noexcept;
@@ -617,6 +627,7 @@ private:
     void open_statement(TokenKind opener, TokenKind closer);
     [[nodiscard]] TokenKind missing_opener();
     [[nodiscard]] std::uint32_t find_on_line(TokenKind word) const noexcept;
+    [[nodiscard]] bool joined_by_operator(std::uint32_t index) const noexcept;
     [[nodiscard]] bool begins_operand_on_line(std::uint32_t index) const noexcept;
     [[nodiscard]] static bool begins_operand(TokenKind kind) noexcept; // body_language.cpp
     const ast::StatementList* parse_else_list();
@@ -626,6 +637,9 @@ private:
     [[nodiscard]] bool accept_misspelt_word(TokenKind word);
     const ast::Statement* parse_statement();
     [[nodiscard]] bool at_statement_label() const noexcept;
+    [[nodiscard]] bool at_label_without_colon() const noexcept;
+    [[nodiscard]] bool name_before_statement(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool begins_statement(std::uint32_t index) const noexcept;
     const ast::Statement* parse_misplaced_declarations();
     const ast::Statement* parse_chart_element_for_statement();
     const ast::Statement* parse_too_deep_statement();
@@ -839,9 +853,10 @@ private:
     bool closer_assumed_ = false;         // the last closing word was missing, and its `;` with it
     std::optional<std::uint32_t> reported_at_; // token of the last report
     std::optional<std::uint32_t> comma_assumed_at_;
-    std::uint32_t il_parentheses_ = 0;      // of instructions, that are open
-    std::uint32_t skipped_parentheses_ = 0; // opened in lines of IL that were passed over
-    Place place_ = Place::library;          // whose declarations and body are being read
+    std::optional<std::uint32_t> invocation_; // the `(` of the last call that began a statement
+    std::uint32_t il_parentheses_ = 0;        // of instructions, that are open
+    std::uint32_t skipped_parentheses_ = 0;   // opened in lines of IL that were passed over
+    Place place_ = Place::library;            // whose declarations and body are being read
 
     Arena& arena_;
     const ParseOptions& options_;

@@ -61,6 +61,23 @@ bool is_made_of_opener(std::string_view word, TokenKind closer) noexcept {
            });
 }
 
+/// `END_LOOP`, `IF_END`, `WEND` and what else ends a statement in other languages.
+bool ends_statement_elsewhere(std::string_view word) noexcept {
+    static constexpr std::array<std::string_view, 11> words = {
+        "WEND",      "FI",   "OD",     "ESAC",     "ENDLOOP", "ENDDO",
+        "ENDSWITCH", "NEXT", "IF_END", "CASE_END", "LOOP_END"};
+    return names_equal(word.substr(0, 4), "END_") ||
+           std::any_of(words.begin(), words.end(),
+                       [word](std::string_view one) { return names_equal(one, word); });
+}
+
+/// What makes a name in the line before it the beginning of a statement.
+bool goes_on_behind_name(TokenKind after) noexcept {
+    static constexpr TokenSet marks{TokenKind::assign, TokenKind::left_parenthesis,
+                                    TokenKind::left_bracket, TokenKind::dot, TokenKind::equal};
+    return marks.contains(after);
+}
+
 } // namespace
 
 // ---- blocks and their closing words -------------------------------------------------------------
@@ -130,7 +147,7 @@ bool Parser::at_misspelt_closer() const noexcept {
     if (at_split_word(closer))
         return true;
     const std::string_view word = text(at_);
-    if (word.size() < 3 || !at(TokenKind::identifier))
+    if (word.size() < 2 || !at(TokenKind::identifier))
         return false;
     const TokenKind after = peek();
     if (names_equal(word, "END")) {
@@ -141,14 +158,24 @@ bool Parser::at_misspelt_closer() const noexcept {
                        closers.contains(after);
     const bool of_element = library_element_closers.contains(open_.back().closer) &&
                             names_equal(word.substr(0, 3), "END");
+    const bool of_statement = statement_closers.contains(open_.back().closer) &&
+                              ends_statement_elsewhere(word) && !goes_on_behind_name(after);
     return alone && (is_misspelling(word, closer) || is_abbreviation(word, closer) ||
-                     is_made_of_opener(word, open_.back().closer) ||
+                     of_statement || is_made_of_opener(word, open_.back().closer) ||
                      (of_element && ends_library_element(at_)));
 }
 
-/// `END IF`, `END _IF`, `END_ IF` or `END_FUNCTION BLOCK`.
+/// Where the second word of `END IF` or `END-IF` stands.
+std::uint32_t Parser::second_of_split_word() const noexcept {
+    const std::uint32_t behind = next(at_);
+    const bool hyphen = tokens_[behind].kind() == TokenKind::minus && adjoins_next() &&
+                        tokens_[behind].end() == tokens_[next(behind)].offset();
+    return hyphen ? next(behind) : behind;
+}
+
+/// `END IF`, `END-IF`, `END _IF`, `END_ IF` or `END_FUNCTION BLOCK`.
 bool Parser::at_split_word(std::string_view closer) const noexcept {
-    const std::uint32_t second = next(at_);
+    const std::uint32_t second = second_of_split_word();
     const std::string_view rest = text(second);
     if (tokens_[second].first_on_line())
         return false;
@@ -255,7 +282,8 @@ void Parser::close_block(std::string_view terminator) {
     } else if (at_misspelt_closer()) {
         const std::uint32_t first = at_;
         if (at_split_word(closer))
-            advance();
+            for (const std::uint32_t second = second_of_split_word(); at_ < second;)
+                advance();
         const TextRange words = token_range(first, at_ + 1);
         if (!tokens_[first].malformed()) // else it was reported
             report(DiagnosticId::misspelt_word, words,

@@ -75,7 +75,8 @@ bool Parser::at_end_of_statements() {
     case TokenKind::kw_until: return is_open(TokenKind::kw_end_repeat);
     default: break;
     }
-    if (innermost == TokenKind::kw_end_case && (at_case_label() || at_repeated_case()))
+    if (innermost == TokenKind::kw_end_case &&
+        (at_case_label() || at_repeated_case() || at_label_without_colon()))
         return !open_.back().in_else;
     if ((innermost == TokenKind::kw_end_if && (at_misspelt_elsif() || at_missing_elsif())) ||
         at_misspelt_else() || at_misspelt_until() || at_while_for_until() ||
@@ -125,8 +126,8 @@ bool Parser::at_misspelt_elsif() const noexcept {
 
 /// `b = 2 THEN` on a line of its own, where no IF is missing.
 bool Parser::at_missing_elsif() noexcept {
-    return at(TokenKind::identifier) && token().first_on_line() && !open_.back().in_else &&
-           (operator_strength(peek()) > 0 || peek() == TokenKind::kw_then) &&
+    return (begins_operand(kind()) || at(TokenKind::left_parenthesis) || at(TokenKind::kw_not)) &&
+           token().first_on_line() && !open_.back().in_else && !at_assignment_on_new_line() &&
            unclosed(TokenKind::kw_end_if) >= 0 && find_on_line(TokenKind::kw_then) < count_;
 }
 
@@ -196,11 +197,17 @@ std::uint32_t Parser::find_on_line(TokenKind word) const noexcept {
         if (tokens_[i].kind() == word)
             return i;
         if (tokens_[i].kind() == TokenKind::semicolon ||
-            (i > at_ &&
-             (tokens_[i].first_on_line() || statement_words.contains(tokens_[i].kind()))))
+            (i > at_ && ((tokens_[i].first_on_line() && !joined_by_operator(i)) ||
+                         statement_words.contains(tokens_[i].kind()))))
             break;
     }
     return count_;
+}
+
+/// True when an operator goes on with the line before: `a AND` or, on the next line, `AND a`.
+bool Parser::joined_by_operator(std::uint32_t index) const noexcept {
+    return operator_strength(tokens_[index].kind()) > 0 ||
+           (index > 0 && operator_strength(tokens_[index - 1].kind()) > 0);
 }
 
 /// `END IF` and its like.
@@ -488,10 +495,18 @@ const ast::Statement* Parser::parse_simple_statement() {
     const std::uint32_t first = at_;
     if (at(TokenKind::incomplete_location))
         report_at(at_, DiagnosticId::incomplete_location);
+    if (peek() == TokenKind::left_parenthesis)
+        invocation_ = next(at_);
     const ast::Expression* left = variable ? parse_variable() : parse_direct_variable();
+    if (left->kind == ast::NodeKind::function_call && at(TokenKind::colon) &&
+        tokens_[next(at_)].first_on_line())
+        return make_invocation(*ast::as<ast::FunctionCall>(left)); // its `;` was meant
     static constexpr TokenSet assigns{TokenKind::assign, TokenKind::equal, TokenKind::colon,
                                       TokenKind::equal_equal, TokenKind::output_arrow};
     if (at(assigns))
+        return parse_assignment(left);
+    const bool truth = at(TokenKind::kw_true) || at(TokenKind::kw_false);
+    if (truth && !token().first_on_line() && is_variable(*left))
         return parse_assignment(left);
     if (at_compound_assignment())
         return parse_compound_assignment(left);
@@ -720,6 +735,8 @@ const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
         } else if (at(TokenKind::kw_else) || at_misspelt_else()) {
             node->else_list = parse_else_list();
             break;
+        } else if (at_early_end_if()) {
+            skip_early_end_if();
         } else {
             break;
         }
@@ -727,6 +744,23 @@ const ast::Statement* Parser::parse_if_rest(ast::IfStatement* node) {
     node->elsif_clauses = clauses.finish();
     close_block(";");
     return finish(node);
+}
+
+/// `END_IF; ELSIF`, when an END_IF too many is there.
+bool Parser::at_early_end_if() {
+    if (!at(TokenKind::kw_end_if) || unclosed(TokenKind::kw_end_if) >= 0)
+        return false;
+    return peek() == TokenKind::kw_elsif ||
+           (peek() == TokenKind::semicolon && peek_second() == TokenKind::kw_elsif);
+}
+
+void Parser::skip_early_end_if() {
+    const bool semicolon = peek() == TokenKind::semicolon;
+    const TextRange words = token_range(at_, next(at_) + (semicolon ? 1 : 0));
+    report_unexpected("`ELSIF`").remove({words.begin, semicolon ? words.end : token().end()});
+    ++unclosed(TokenKind::kw_end_if);
+    advance();
+    accept(TokenKind::semicolon);
 }
 
 /// In place of if_statement: at ELSE or ELSIF outside of IF, when an END_IF waits for it.
@@ -761,7 +795,11 @@ void Parser::open_statement(TokenKind opener, TokenKind closer) {
         const std::string word(spelling(opener));
         const std::uint32_t offset = token().offset();
         ++unclosed(closer);
-        if (begins_operand_on_line(next(at_)) || opener == TokenKind::kw_repeat) {
+        const bool unary = at(TokenKind::left_parenthesis) || at(TokenKind::kw_not) ||
+                           at(TokenKind::minus) || at(TokenKind::plus);
+        const bool two_operands =
+            !unary && begins_operand_on_line(next(at_)) && operator_strength(peek()) == 0;
+        if (two_operands || opener == TokenKind::kw_repeat) {
             // Two operands in a row: the first stands for the word.
             (is_misspelling(text(at_), word)
                  ? report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), word})
@@ -889,7 +927,8 @@ const ast::Statement* Parser::parse_case_rest(ast::CaseStatement* node) {
     do {
         accept_repeated_case();
         elements.add(parse_case_element());
-    } while (at_case_label() || at_repeated_case() || !at_end_of_statements());
+    } while (at_case_label() || at_repeated_case() || at_label_without_colon() ||
+             !at_end_of_statements());
     node->elements = elements.finish();
     if (at(TokenKind::kw_else) || at_misspelt_else())
         node->else_list = parse_else_list();
@@ -950,10 +989,12 @@ bool Parser::at_case_label() const noexcept {
     if (!name && tokens_[after].kind() == TokenKind::assign)
         return true;
     // An expression can stand for a label as an extension.
-    static constexpr TokenSet inside{TokenKind::identifier, TokenKind::integer, TokenKind::plus,
-                                     TokenKind::minus,      TokenKind::star,    TokenKind::slash,
-                                     TokenKind::power,      TokenKind::kw_mod,  TokenKind::kw_to,
-                                     TokenKind::dot};
+    static constexpr TokenSet inside{
+        TokenKind::identifier,   TokenKind::integer, TokenKind::plus,   TokenKind::minus,
+        TokenKind::star,         TokenKind::slash,   TokenKind::power,  TokenKind::kw_mod,
+        TokenKind::kw_to,        TokenKind::dot,     TokenKind::kw_and, TokenKind::kw_or,
+        TokenKind::less,         TokenKind::greater, TokenKind::equal,  TokenKind::less_equal,
+        TokenKind::greater_equal};
     for (std::uint32_t steps = 0;
          steps < furthest_on_line && inside.contains(tokens_[after].kind()) &&
          !tokens_[after].first_on_line();
@@ -965,6 +1006,37 @@ bool Parser::at_case_label() const noexcept {
     case TokenKind::dot_dot: return true;
     default: return false;
     }
+}
+
+/// `2 x := 1;` or `off x := 1;` for `2: x := 1;`. A number begins no statement. A name can be a
+/// label when it stands in the column of the labels.
+bool Parser::at_label_without_colon() const noexcept {
+    const OpenBlock& block = open_.back();
+    if (block.in_else || !token().first_on_line())
+        return false;
+    if (at(TokenKind::integer))
+        return begins_statement(next(at_));
+    if (!name_before_statement(at_) || at_misspelt_closer())
+        return false;
+    const bool first_label = at_ > 0 && tokens_[at_ - 1].kind() == TokenKind::kw_of;
+    return first_label || (block.label && column(*block.label) == column(at_));
+}
+
+/// A name that nothing connects with the statement behind it.
+bool Parser::name_before_statement(std::uint32_t index) const noexcept {
+    const TokenKind here = tokens_[index].kind();
+    const bool name = here == TokenKind::identifier || here == TokenKind::enumerated_value;
+    const std::uint32_t behind = next(index);
+    return name && begins_statement(behind) &&
+           tokens_[next(behind)].kind() != TokenKind::left_parenthesis;
+}
+
+bool Parser::begins_statement(std::uint32_t index) const noexcept {
+    static constexpr TokenSet behind_name{TokenKind::assign, TokenKind::left_parenthesis,
+                                          TokenKind::left_bracket, TokenKind::dot};
+    return statement_words.contains(tokens_[index].kind()) ||
+           (tokens_[index].kind() == TokenKind::identifier &&
+            behind_name.contains(tokens_[next(index)].kind()));
 }
 
 /// `(1):`, which no statement begins with.
@@ -993,8 +1065,8 @@ const ast::Statement* Parser::parse_label_after_else() {
 // case_list = case_list_element { "," case_list_element } ;
 const ast::CaseElement* Parser::parse_case_element() {
     auto* element = make<ast::CaseElement>();
-    // A number begins no statement: its `:` is missing.
-    if (at_case_label() || at(TokenKind::integer)) {
+    open_.back().label = token().first_on_line() ? std::optional(at_) : std::nullopt;
+    if (at_case_label() || at(TokenKind::integer) || at_label_without_colon()) {
         ListBuilder<ast::Node> labels(*this);
         do
             labels.add(parse_case_label());
@@ -1014,7 +1086,8 @@ const ast::CaseElement* Parser::parse_case_element() {
 // case_list_element = subrange | signed_integer | enumerated_value ;
 const ast::Node* Parser::parse_case_label() {
     const TokenKind after = peek();
-    const bool simple = after == TokenKind::colon || after == TokenKind::comma;
+    const bool simple =
+        after == TokenKind::colon || after == TokenKind::comma || name_before_statement(at_);
     const bool keyword = is_keyword(kind()) && !at(TokenKind::kw_true) && !at(TokenKind::kw_false);
     if (simple && keyword)
         report_reserved_word(at_);
@@ -1232,7 +1305,11 @@ const ast::Statement* Parser::parse_repeat_statement() {
     }
     if (misspelt || without_until || accept(TokenKind::kw_until)) {
         node->condition = parse_condition();
-        if (at(TokenKind::semicolon) && peek() == TokenKind::kw_end_repeat) {
+        const bool closer_follows =
+            peek() == TokenKind::kw_end_repeat ||
+            (peek() == TokenKind::identifier &&
+             is_misspelling(text(next(at_)), spelling(TokenKind::kw_end_repeat)));
+        if (at(TokenKind::semicolon) && closer_follows) {
             if (without_until && *without_until)
                 without_until->also_remove(token().range());
             else
@@ -1321,8 +1398,9 @@ bool Parser::is_semicolon_for_to(std::uint32_t index) const noexcept {
 /// `IF a : x := 1;` and `FOR i := 1 .. 3 DO`.
 bool Parser::at_word_of_other_language(TokenKind word) const noexcept {
     if (word == TokenKind::kw_to)
-        return at(TokenKind::dot_dot) || at(TokenKind::comma) || is_semicolon_for_to(at_);
-    return at(TokenKind::colon);
+        return at(TokenKind::dot_dot) || at(TokenKind::comma) || at(TokenKind::kw_until) ||
+               is_semicolon_for_to(at_);
+    return at(TokenKind::colon) || (word == TokenKind::kw_do && at(TokenKind::comma));
 }
 
 } // namespace iecfront
