@@ -755,9 +755,8 @@ bool Parser::at_early_end_if() {
 }
 
 void Parser::skip_early_end_if() {
-    const bool semicolon = peek() == TokenKind::semicolon;
-    const TextRange words = token_range(at_, next(at_) + (semicolon ? 1 : 0));
-    report_unexpected("`ELSIF`").remove({words.begin, semicolon ? words.end : token().end()});
+    const std::uint32_t last = peek() == TokenKind::semicolon ? next(at_) : at_;
+    report_unexpected("`ELSIF`").remove(token_range(at_, last + 1));
     ++unclosed(TokenKind::kw_end_if);
     advance();
     accept(TokenKind::semicolon);
