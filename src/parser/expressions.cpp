@@ -833,12 +833,10 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
         output->variable = parse_output_variable();
         return finish(output);
     }
-    if (at(TokenKind::identifier) && peek() == TokenKind::equal &&
-        peek_second() == TokenKind::greater) {
+    if (at_output_slip(open)) {
         auto* output = make<ast::OutputArgument>();
         output->name = parse_argument_name();
-        accept_split_operator(TokenKind::output_arrow);
-        advance();
+        accept_mark_slip(mark_slip(at_));
         output->variable = parse_output_variable();
         return finish(output);
     }
@@ -857,6 +855,19 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
         input->value = parse_expression();
     }
     return finish(input);
+}
+
+/// `name = > variable`, and where other arguments are formal also `name >= variable`.
+bool Parser::at_output_slip(std::uint32_t open) const noexcept {
+    static constexpr TokenSet slips{TokenKind::equal, TokenKind::equal_equal, TokenKind::minus,
+                                    TokenKind::less_equal, TokenKind::greater_equal};
+    if (!at(TokenKind::identifier) || !slips.contains(peek()))
+        return false;
+    const MarkSlip slip = mark_slip(next(at_));
+    return slip.meant == TokenKind::output_arrow &&
+           (peek() == TokenKind::equal ||
+            (begins_operand(tokens_[slip.end].kind()) && has_formal_argument(open) &&
+             operator_strength(tokens_[next(slip.end)].kind()) == 0));
 }
 
 /// Two operands in a row, the first of them a name, in the list of formal arguments that begins

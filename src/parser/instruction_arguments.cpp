@@ -1,6 +1,7 @@
 #include "parser/keyword_sets.hpp"
 #include "parser/parser.hpp"
 
+#include <array>
 #include <utility>
 
 namespace iecfront {
@@ -99,6 +100,27 @@ bool Parser::argument_lines_follow(std::uint32_t index) const noexcept {
     if (tokens_[behind].kind() == TokenKind::left_parenthesis && !begins_line(behind))
         return begins_argument_line(next(behind));
     return begins_argument_line(behind) && lacks_parenthesis(behind);
+}
+
+/// Behind an operator that instructions can follow, at the `(` at token `open`: true when the first
+/// line in the parentheses is a statement of ST that looks like an argument. Arguments or a `)`
+/// follow an argument, and instructions a statement.
+bool Parser::statement_begins_in_parentheses(std::uint32_t open) const noexcept {
+    const std::uint32_t first = next(open);
+    const bool operand = !begins_line(first) && !at_formal_argument(first);
+    const std::uint32_t line = operand ? next(first) : first;
+    if (tokens_[open].kind() != TokenKind::left_parenthesis || begins_line(open) ||
+        !begins_argument_line(line) || opens_line(next(next(line))))
+        return false;
+    RestOfLine rest = rest_of_line(line);
+    for (std::uint32_t lines = 0; rest.last == TokenKind::semicolon && lines < furthest_on_line &&
+                                  begins_argument_line(rest.end);
+         ++lines) // several statements
+        rest = rest_of_line(rest.end);
+    if (rest.parentheses > 0 || rest.closed || (rest.last == TokenKind::comma && !operand))
+        return false;
+    const bool closes = tokens_[rest.end].kind() == TokenKind::right_parenthesis;
+    return closes ? operand && rest.last == TokenKind::semicolon : !has_mark_on_line(rest.end);
 }
 
 bool Parser::at_argument_lines() const noexcept {
@@ -272,7 +294,8 @@ const ast::Node* Parser::parse_il_argument(bool formal) {
     const std::uint32_t name = negated ? next(at_) : at_;
     const bool marked = has_mark(name);
     const bool unmarked = !marked && formal && lacks_mark(name);
-    if (marked ? has_output_mark(name) : unmarked && negated)
+    const bool output_slip = mark_slip(next(name)).meant == TokenKind::output_arrow;
+    if (marked ? has_output_mark(name) : unmarked && (negated || output_slip))
         return parse_il_output_argument();
     auto* node = make<ast::InputArgument>();
     if (!marked && formal && begins_inner_instruction(at_) && lacks_parenthesis(at_)) {
@@ -313,6 +336,8 @@ bool Parser::has_mark(std::uint32_t name) const noexcept {
 bool Parser::has_output_mark(std::uint32_t name) const noexcept {
     const std::uint32_t mark = argument_marks.contains(tokens_[name].kind()) ? name : next(name);
     const std::uint32_t list = next(mark);
+    if (mark_slip(mark).meant == TokenKind::output_arrow)
+        return true;
     return tokens_[mark].kind() == TokenKind::output_arrow &&
            !(opens_instructions(list) && begins_inner_instruction(next(list)));
 }
@@ -335,8 +360,60 @@ bool Parser::at_argument_with_intruder() const noexcept {
            !opens_instructions(second) && lacks_mark(at_);
 }
 
+/// What the delimiters at token `index` are very probably meant for, when it is a mark.
+Parser::MarkSlip Parser::mark_slip(std::uint32_t index) const noexcept {
+    struct Slip {
+        TokenKind first;
+        TokenKind second; // end_of_unit: there is none
+        TokenKind meant;
+        bool adjoin; // else white space between the two is the slip
+    };
+    static constexpr std::array<Slip, 8> slips{{
+        {TokenKind::greater_equal, TokenKind::end_of_unit, TokenKind::output_arrow, false},
+        {TokenKind::less_equal, TokenKind::end_of_unit, TokenKind::output_arrow, false},
+        {TokenKind::equal_equal, TokenKind::greater, TokenKind::output_arrow, true},
+        {TokenKind::equal, TokenKind::colon, TokenKind::assign, true},
+        {TokenKind::minus, TokenKind::greater, TokenKind::output_arrow, true},
+        {TokenKind::colon, TokenKind::minus, TokenKind::assign, true},
+        {TokenKind::equal, TokenKind::greater, TokenKind::output_arrow, false},
+        {TokenKind::colon, TokenKind::equal, TokenKind::assign, false},
+    }};
+    const std::uint32_t second = next(index);
+    const TokenKind kind = tokens_[second].kind();
+    const bool adjoin = tokens_[index].end() == tokens_[second].offset();
+    for (const Slip& slip : slips) {
+        if (slip.first != tokens_[index].kind())
+            continue;
+        if (slip.second == TokenKind::end_of_unit)
+            return {slip.meant, second};
+        if (slip.second == kind && !tokens_[second].first_on_line() && (adjoin || !slip.adjoin))
+            return {slip.meant, next(second)};
+    }
+    return {};
+}
+
+/// Passes over the delimiters at the cursor, and reports what is meant.
+void Parser::accept_mark_slip(const MarkSlip& slip) {
+    const std::string meant(spelling(slip.meant));
+    const bool one = slip.end == next(at_);
+    const TextRange range = token_range(at_, one ? at_ + 1 : next(at_) + 1);
+    const std::string written(text_.substr(range.begin, range.size()));
+    const TextRange gap{token().end(), one ? token().end() : tokens_[next(at_)].offset()};
+    if (gap.size() > 0)
+        report(DiagnosticId::white_space_in_delimiter, gap, {meant}).replace(range, meant);
+    else
+        report(DiagnosticId::unexpected_token, range,
+               {"`" + meant + "`", "`" + written + (one ? "`, which compares" : "`")})
+            .replace(range, meant);
+    while (at_ < slip.end)
+        advance();
+}
+
 /// Between a name and an operand, or before the mark.
 bool Parser::stands_for_mark(std::uint32_t index) const noexcept {
+    if (const MarkSlip slip = mark_slip(index); slip.end != 0)
+        return !begins_line(slip.end) &&
+               (begins_operand(tokens_[slip.end].kind()) || opens_instructions(slip.end));
     static constexpr TokenSet delimiters{TokenKind::comma,
                                          TokenKind::semicolon,
                                          TokenKind::colon,
@@ -374,6 +451,8 @@ const ast::Identifier* Parser::parse_il_argument_name() {
 
 /// `:=` or `=>`. A second one behind it is dropped.
 void Parser::expect_argument_mark(TokenKind mark) {
+    if (const MarkSlip slip = mark_slip(at_); slip.meant == mark)
+        return accept_mark_slip(slip);
     if (at(TokenKind::equal)) {
         report_at(at_, DiagnosticId::equal_for_assignment)
             .replace(token().range(), std::string(spelling(mark)));

@@ -370,7 +370,8 @@ const ast::IlOperation* Parser::parse_il_operation() {
         case IlOperator::return_: return parse_il_return_operation(*row);
         default: break;
         }
-        if (is_function_name(*row) && argument_lines_follow(second))
+        if (is_function_name(*row) && argument_lines_follow(second) &&
+            !statement_begins_in_parentheses(second))
             return parse_il_formal_funct_call();
         return deferred ? parse_il_expression(*row) : parse_il_simple_operation(*row);
     }
@@ -402,6 +403,9 @@ bool Parser::at_structured_text() const noexcept {
                                              TokenKind::left_bracket};
     const bool variable =
         at(TokenKind::identifier) || at(TokenKind::direct_variable) || at(execution_control);
+    if (is_expression_operator(at_) && peek() == TokenKind::left_bracket &&
+        lacks_parenthesis_of_instructions(next(at_))) // `ADD[ a`
+        return false;
     return at(statement_words) || at_invocation_statement() ||
            (variable && after_variable.contains(peek()) && !begins_line(next(at_)));
 }
@@ -638,6 +642,9 @@ const ast::IlOperation* Parser::parse_il_expression(const IlOperatorRow& row) {
         const std::size_t reports = diagnostics_.size();
         drop_intruder_before_operand();
         node->operand = expect_il_operand("`(`");
+        const bool line_goes_on = at(TokenKind::comma) && !at_line_end();
+        if (line_goes_on && begins_line(next(at_)) && begins_inner_instruction(next(at_)))
+            drop_intruder("the end of the line");
         const bool reported = diagnostics_.size() != reports;
         if (!reported && at(TokenKind::comma) && !at_line_end() && is_function_name(row)) {
             --il_parentheses_;
@@ -672,6 +679,8 @@ bool Parser::lacks_parenthesis_of_instructions(std::uint32_t index) const noexce
         const bool closes = tokens_[index].kind() == TokenKind::right_parenthesis;
         if (begins_operand(tokens_[index].kind()) || (closes && surplus_parentheses() < 2))
             return false;
+        if (tokens_[index].kind() == TokenKind::left_bracket && rest_of_line(index).brackets > 0)
+            return surplus_parentheses() > 0;
         index = next(index);
     }
     return at_inner_instruction_of_argument(index);
@@ -895,12 +904,15 @@ Parser::RestOfLine Parser::rest_of_line(std::uint32_t i) const noexcept {
             ++rest.parentheses;
         else if (rest.last == TokenKind::right_parenthesis && rest.parentheses > 0)
             --rest.parentheses;
+        else if (rest.last == TokenKind::right_parenthesis)
+            rest.closed = true;
         else if (rest.last == TokenKind::left_bracket)
             ++rest.brackets;
         else if (rest.last == TokenKind::right_bracket && rest.brackets > 0)
             --rest.brackets;
         i = next(i);
     } while (!begins_line(i) && i != count_ && ++steps < furthest_on_line);
+    rest.end = i;
     return rest;
 }
 
@@ -911,6 +923,8 @@ const ast::Expression* Parser::parse_il_variable() {
     for (;;) {
         if (at_line_end() || (!at(TokenKind::dot) && !at(TokenKind::left_bracket)))
             return variable;
+        if (at(TokenKind::left_bracket) && argument_lines_follow(at_))
+            return variable; // it stands for `(`
         if (variable_breaks_off()) {
             auto* node = make_from<ast::StructuredVariable>(variable);
             do

@@ -600,6 +600,7 @@ private:
     [[nodiscard]] bool at_end_of_unfinished_call(std::uint32_t open) const noexcept;
     [[nodiscard]] bool stands_below_call(std::uint32_t open) const noexcept;
     [[nodiscard]] std::uint32_t line_begin(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_output_slip(std::uint32_t open) const noexcept;
     [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const noexcept;
     [[nodiscard]] bool at_equal_for_assign(std::uint32_t open) const noexcept;
     [[nodiscard]] bool has_formal_argument(std::uint32_t open) const noexcept;
@@ -756,7 +757,9 @@ private:
     struct RestOfLine {
         std::uint32_t parentheses = 0; ///< opened and not closed
         std::uint32_t brackets = 0;    ///< the same for `[`
+        bool closed = false;           ///< it closes a parenthesis that it did not open
         TokenKind last = TokenKind::end_of_unit;
+        std::uint32_t end = 0; ///< the first token of the next line
     };
     [[nodiscard]] RestOfLine rest_of_line(std::uint32_t i) const noexcept;
     [[nodiscard]] static bool wants_operand(TokenKind kind) noexcept;
@@ -778,6 +781,7 @@ private:
     ast::List<ast::Node> parse_il_arguments(std::uint32_t open, const ast::Expression* first);
     void expect_parenthesis_of_arguments();
     [[nodiscard]] bool argument_lines_follow(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool statement_begins_in_parentheses(std::uint32_t open) const noexcept;
     [[nodiscard]] bool at_argument_lines() const noexcept;
     [[nodiscard]] bool has_mark_on_line(std::uint32_t index) const noexcept;
     [[nodiscard]] bool opens_line(std::uint32_t index) const noexcept;
@@ -806,6 +810,13 @@ private:
     [[nodiscard]] bool has_output_mark(std::uint32_t name) const noexcept;
     [[nodiscard]] bool lacks_mark(std::uint32_t name) const noexcept;
     [[nodiscard]] bool stands_for_mark(std::uint32_t index) const noexcept;
+    /// Delimiters in the place of `:=` or `=>`.
+    struct MarkSlip {
+        TokenKind meant = TokenKind::end_of_unit;
+        std::uint32_t end = 0; ///< the first token behind them; 0 when there are none
+    };
+    [[nodiscard]] MarkSlip mark_slip(std::uint32_t index) const noexcept;
+    void accept_mark_slip(const MarkSlip& slip);
     [[nodiscard]] bool at_inner_instruction_of_argument(std::uint32_t index) const noexcept;
     [[nodiscard]] bool opens_instructions(std::uint32_t index) const noexcept;
     [[nodiscard]] std::int32_t surplus_parentheses() const noexcept;
