@@ -483,6 +483,7 @@ private:
     void expect_colon_of_chart();
     const ast::Step* parse_step(TokenKind opener);
     ast::List<ast::ActionAssociation> parse_action_associations();
+    [[nodiscard]] bool at_element_in_step();
     const ast::ActionAssociation* parse_action_association();
     bool expect_qualifier_parenthesis();
     void skip_association();
@@ -496,6 +497,8 @@ private:
     const ast::Transition* parse_transition();
     const ast::Identifier* parse_optional_transition_name();
     [[nodiscard]] bool begins_priority(std::uint32_t index) const noexcept;
+    [[nodiscard]] std::uint32_t behind_priority(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool begins_from(std::uint32_t index) const noexcept;
     const ast::Expression* parse_optional_priority();
     void expect_priority_word();
     void report_missing_parentheses(std::uint32_t first, std::string_view around);
@@ -506,7 +509,7 @@ private:
     const ast::TransitionCondition* parse_transition_condition();
     [[nodiscard]] bool instructions_follow_colon() const noexcept;
     void expect_semicolon_of_condition();
-    void skip_rest_of_transition();
+    void skip_rest_of_transition(bool reported);
     const ast::Action* parse_action();
     const ast::Body* parse_too_deep_body();
 

@@ -143,6 +143,8 @@ bool Parser::closes_outer_block() const noexcept {
 bool Parser::at_misspelt_closer() const noexcept {
     if (open_.empty() || (!at(TokenKind::identifier) && !at(TokenKind::kw_end_function)))
         return false;
+    static constexpr TokenSet after_name{TokenKind::colon, TokenKind::assign, TokenKind::dot,
+                                         TokenKind::left_bracket, TokenKind::left_parenthesis};
     const std::string_view closer = spelling(open_.back().closer);
     if (at_split_word(closer))
         return true;
@@ -150,12 +152,13 @@ bool Parser::at_misspelt_closer() const noexcept {
     if (word.size() < 2 || !at(TokenKind::identifier))
         return false;
     const TokenKind after = peek();
-    if (names_equal(word, "END")) {
-        return after == TokenKind::semicolon || after == TokenKind::end_of_unit;
-    }
     const bool alone = after == TokenKind::semicolon || tokens_[next(at_)].first_on_line() ||
                        after == TokenKind::end_of_unit || chart_openers.contains(after) ||
                        closers.contains(after);
+    if (names_equal(word, "END")) // in a chart no name stands alone
+        return after == TokenKind::semicolon || after == TokenKind::end_of_unit ||
+               (alone && !after_name.contains(after) &&
+                chart_closers.contains(open_.back().closer));
     const bool of_element = library_element_closers.contains(open_.back().closer) &&
                             names_equal(word.substr(0, 3), "END");
     const bool of_statement = statement_closers.contains(open_.back().closer) &&

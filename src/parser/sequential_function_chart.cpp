@@ -125,8 +125,9 @@ TokenKind Parser::misspelt_chart_word() const noexcept {
         return TokenKind::end_of_unit;
     if (peek() == TokenKind::kw_step && names_equal(text(at_), "INITIAL"))
         return TokenKind::kw_initial_step;
-    const bool transition = peek() == TokenKind::kw_from || (peek() == TokenKind::identifier &&
-                                                             peek_second() == TokenKind::kw_from);
+    const std::uint32_t second = next(at_);
+    const bool transition =
+        begins_from(second) || (peek() == TokenKind::identifier && begins_from(next(second)));
     if (transition)
         return is_misspelling(text(at_), spelling(TokenKind::kw_transition))
                    ? TokenKind::kw_transition
@@ -143,9 +144,7 @@ TokenKind Parser::misspelt_chart_word() const noexcept {
 /// At `name :` or at FROM: the opening word that is missing before it, as the next closing word
 /// tells.
 TokenKind Parser::missing_chart_word() const noexcept {
-    const bool from =
-        at(TokenKind::kw_from) || (at(TokenKind::identifier) && peek() == TokenKind::kw_from);
-    if (from)
+    if (begins_from(at_) || (at(TokenKind::identifier) && begins_from(next(at_))))
         return TokenKind::kw_transition;
     if (!at(TokenKind::identifier) || peek() != TokenKind::colon)
         return TokenKind::end_of_unit;
@@ -243,10 +242,23 @@ const ast::SkippedText* Parser::skip_text_in_chart() {
     return finish(skipped);
 }
 
-/// The `:` behind the name of a step or an action.
+/// The `:` behind the name of a step or an action. `ACTION x(P):` has the qualifier of a step.
 void Parser::expect_colon_of_chart() {
     static constexpr TokenSet look_alikes{TokenKind::assign, TokenKind::equal, TokenKind::semicolon,
                                           TokenKind::comma};
+    const std::uint32_t close = at(TokenKind::left_parenthesis) ? closing_parenthesis(at_) : count_;
+    if (close != count_ && on_same_line(at_, close)) {
+        const std::uint32_t behind = next(close);
+        const bool line_ends = tokens_[behind].first_on_line();
+        const bool colon = tokens_[behind].kind() == TokenKind::colon && !line_ends;
+        if (colon || line_ends) {
+            report_unexpected("`:`").replace(token_range(at_, close + 1), colon ? "" : ":");
+            while (at_ <= close)
+                advance();
+            if (line_ends)
+                return;
+        }
+    }
     if (at(look_alikes))
         accept_as(TokenKind::colon);
     else
@@ -274,7 +286,13 @@ const ast::Step* Parser::parse_step(TokenKind opener) {
 // Part of step: { action_association ";" }
 ast::List<ast::ActionAssociation> Parser::parse_action_associations() {
     ListBuilder<ast::ActionAssociation> associations(*this);
-    while (!at_end_of_chart_element()) {
+    while (!at_end_of_chart_element() || at_element_in_step()) {
+        if (at_element_in_step()) {
+            report_unexpected("an action or `END_STEP`");
+            skip_chart_element();
+            accept(TokenKind::semicolon);
+            continue;
+        }
         if (at(TokenKind::semicolon)) {
             report_unexpected("an action or `END_STEP`").remove(token().range());
             advance();
@@ -284,6 +302,22 @@ ast::List<ast::ActionAssociation> Parser::parse_action_associations() {
         expect_semicolon_of_association();
     }
     return associations.finish();
+}
+
+/// At an element with its closing word, when more of the step that it stands in follows.
+bool Parser::at_element_in_step() {
+    if (!begins_chart_element(at_) || unclosed(TokenKind::kw_end_step) > 0)
+        return false;
+    const std::uint32_t closer = chart_element_end(at_);
+    if (closer == at_)
+        return false;
+    std::uint32_t behind = next(closer);
+    if (tokens_[behind].kind() == TokenKind::semicolon)
+        behind = next(behind);
+    return tokens_[behind].kind() == TokenKind::kw_end_step ||
+           (tokens_[behind].kind() == TokenKind::identifier &&
+            tokens_[next(behind)].kind() == TokenKind::left_parenthesis &&
+            !begins_from(next(behind)));
 }
 
 // action_association = action_name "(" [ action_qualifier ] { "," indicator_name } ")" ;
@@ -464,13 +498,17 @@ const ast::Transition* Parser::parse_transition() {
     auto* node = make<ast::Transition>();
     open_chart_element(TokenKind::kw_transition);
     node->name = parse_optional_transition_name();
+    const bool colon = node->name != nullptr && at(TokenKind::colon);
+    if (colon && behind_priority(next(at_)) != next(at_)) // as behind the name of a step
+        drop_intruder("`(`");
     node->priority = parse_optional_priority();
     node->from = parse_steps_behind(TokenKind::kw_from);
     node->to = parse_steps_behind(TokenKind::kw_to);
     if (accept(TokenKind::kw_from)) // the parts in the wrong order
         parse_steps();
+    const std::size_t reports = diagnostics_.size();
     node->condition = parse_transition_condition();
-    skip_rest_of_transition();
+    skip_rest_of_transition(diagnostics_.size() != reports);
     close_block("");
     finish(node);
     accept_extra_semicolon();
@@ -482,7 +520,9 @@ const ast::Transition* Parser::parse_transition() {
 const ast::Identifier* Parser::parse_optional_transition_name() {
     static constexpr TokenSet behind_step{TokenKind::kw_to, TokenKind::comma};
     if (at(TokenKind::identifier)) {
-        const bool other = behind_step.contains(peek()) || begins_priority(at_) ||
+        const bool step =
+            behind_step.contains(peek()) && find_on_line(TokenKind::kw_from) == count_;
+        const bool other = step || begins_priority(at_) ||
                            (peek() == TokenKind::identifier &&
                             is_misspelling(text(at_), spelling(TokenKind::kw_from)));
         return other ? nullptr : parse_declared_name("the name of a transition");
@@ -502,6 +542,19 @@ bool Parser::begins_priority(std::uint32_t index) const noexcept {
            (after == TokenKind::assign || after == TokenKind::equal ||
             after == TokenKind::integer) &&
            is_misspelling(text(index), "PRIORITY");
+}
+
+/// Behind a priority in parentheses that begins at token `index`; `index` when there is none.
+std::uint32_t Parser::behind_priority(std::uint32_t index) const noexcept {
+    if (tokens_[index].kind() != TokenKind::left_parenthesis || !begins_priority(next(index)))
+        return index;
+    const std::uint32_t close = closing_parenthesis(index);
+    return close == count_ ? index : next(close);
+}
+
+/// True when FROM follows at token `index`, or behind a priority.
+bool Parser::begins_from(std::uint32_t index) const noexcept {
+    return tokens_[behind_priority(index)].kind() == TokenKind::kw_from;
 }
 
 // Part of transition: [ "(" "PRIORITY" ":=" integer ")" ]
@@ -619,6 +672,11 @@ const ast::Steps* Parser::parse_steps() {
         names.add(parse_name("the name of a step"));
     while (accept(TokenKind::comma) ||
            (parenthesis && at(TokenKind::identifier) && accept_missing_comma()));
+    if (!parenthesis && at(TokenKind::right_parenthesis) && at_ > first + 1) {
+        const std::uint32_t offset = tokens_[first].offset();
+        report(DiagnosticId::missing_token, {offset, offset}, {"`(`"}).insert(offset, "(");
+        advance();
+    }
     const std::uint32_t last = at_;
     static constexpr TokenSet behind{TokenKind::assign, TokenKind::equal, TokenKind::colon};
     if (parenthesis && at(behind))
@@ -711,13 +769,18 @@ void Parser::expect_semicolon_of_condition() {
     accept(TokenKind::semicolon);
 }
 
-/// Text between the condition and END_TRANSITION.
-void Parser::skip_rest_of_transition() {
+/// Text between the condition and END_TRANSITION. Instructions behind a condition that was
+/// `reported` are a second one, and what is wrong with the first cannot be mended alone.
+void Parser::skip_rest_of_transition(bool reported) {
     if (at_end_of_chart_element())
         return;
-    Report rest = report_unexpected("`END_TRANSITION`");
-    if (at(TokenKind::semicolon))
-        rest.remove(token().range());
+    if (reported && line_kind(at_, LineKind::other) == LineKind::operation) {
+        diagnostics_.back().fixes.clear();
+    } else {
+        Report rest = report_unexpected("`END_TRANSITION`");
+        if (at(TokenKind::semicolon))
+            rest.remove(token().range());
+    }
     while (!at_end_of_chart_element())
         skip_balanced();
 }
