@@ -20,6 +20,8 @@
 #include <iecfront/diagnostics/render_sarif.hpp>
 #include <iecfront/diagnostics/render_text.hpp>
 #include <iecfront/diagnostics/severity.hpp>
+#include <iecfront/format/formatter.hpp>
+#include <iecfront/format/writer.hpp>
 #include <iecfront/lexer/literals.hpp>
 #include <iecfront/lexer/name.hpp>
 #include <iecfront/lexer/standard_names.hpp>

@@ -3,6 +3,7 @@
 #include "parser/unit_parser.hpp"
 #include "support/repository_files.hpp"
 
+#include <iecfront/format/formatter.hpp>
 #include <iecfront/parser/parse.hpp>
 
 #include <algorithm>
@@ -65,6 +66,7 @@ void measure(const std::string& name, std::string bytes) {
     });
     const double parsing = speed(*buffer, [&] { return parse(source).slots().size(); });
     const SyntaxTree tree = parse(source);
+    const double formatting = speed(*buffer, [&] { return format(tree).size(); });
     std::size_t memory = 0;
     for (const SyntaxTree::Slot& slot : tree.slots())
         memory += slot.unit->memory_bytes();
@@ -74,6 +76,8 @@ void measure(const std::string& name, std::string bytes) {
                 loop / lexing);
     std::printf("  %-20s %8.1f MB/s  %6.1f times the byte loop\n", "parsing", parsing,
                 loop / parsing);
+    std::printf("  %-20s %8.1f MB/s  %6.1f times the parsing\n", "formatting", formatting,
+                parsing / formatting);
     std::printf("  %-20s %8.1f bytes a byte of source\n", "memory",
                 static_cast<double>(memory) / static_cast<double>(buffer->size()));
 }

@@ -15,7 +15,8 @@ constexpr std::string_view title_mark = "=== ";
 constexpr std::string_view section_mark = "--- ";
 constexpr std::string_view directive_mark = ": ";
 
-constexpr std::array<std::string_view, 3> section_names{"diagnostics", "tree", "fixed"};
+constexpr std::array<std::string_view, 4> section_names{"diagnostics", "tree", "fixed",
+                                                        "formatted"};
 
 [[nodiscard]] std::string_view without_line_end(std::string_view line) {
     return line.ends_with('\n') ? line.substr(0, line.size() - 1) : line;

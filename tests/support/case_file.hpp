@@ -24,6 +24,7 @@ namespace iecfront::test {
 ///     --- diagnostics                nothing is reported where this section is missing
 ///     --- tree                       checked where the section is there
 ///     --- fixed                      the same
+///     --- formatted                  the same, in tests/format/layouts
 ///
 /// The sections end at the next line that begins so. Blank lines at the end of a section, and
 /// blanks at the end of a line, do not count.

@@ -1,0 +1,273 @@
+#include "format/pieces.hpp"
+
+#include "format/broken_lines.hpp"
+
+#include <iecfront/ast/syntax_tree.hpp>
+
+#include <algorithm>
+
+namespace iecfront::layout {
+namespace {
+
+// ... even a comment.
+[[nodiscard]] bool follows_directly(TokenKind kind) noexcept {
+    return kind == TokenKind::comma || kind == TokenKind::semicolon || closes_bracket(kind);
+}
+
+// CR LF ends one line.
+[[nodiscard]] std::uint32_t line_ends_in(std::string_view gap) noexcept {
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+        if (gap[i] == '\n' ? i == 0 || gap[i - 1] != '\r' : gap[i] == '\r')
+            ++count;
+    return count;
+}
+
+// Characters in the last line of `text`.
+[[nodiscard]] std::uint32_t width_of(std::string_view text, Encoding encoding) noexcept {
+    const std::size_t line_end = text.find_last_of("\r\n");
+    if (line_end != std::string_view::npos)
+        text.remove_prefix(line_end + 1);
+    if (encoding != Encoding::utf8)
+        return static_cast<std::uint32_t>(text.size());
+    return static_cast<std::uint32_t>(std::ranges::count_if(
+        text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+// What stands before `offset` in its line.
+[[nodiscard]] std::string_view line_before(const Unit& unit, std::uint32_t offset) noexcept {
+    const std::string_view before = unit.text().substr(0, offset);
+    const std::size_t line_end = before.find_last_of("\r\n");
+    return line_end == std::string_view::npos ? before : before.substr(line_end + 1);
+}
+
+// Nothing when a tab makes it uncertain.
+[[nodiscard]] std::uint32_t source_column(const Unit& unit, std::uint32_t offset) noexcept {
+    const std::string_view line = line_before(unit, offset);
+    return line.find('\t') == std::string_view::npos ? width_of(line, unit.encoding())
+                                                     : Piece::no_column;
+}
+
+class Arranger {
+public:
+    Arranger(const Unit& unit, std::uint32_t indent_width, TextRule* rule)
+        : unit_(unit),
+          rule_(rule),
+          width_(static_cast<std::int32_t>(indent_width)),
+          rows_(lay_out(unit, indent_width)),
+          broken_(broken_lines(unit)) {}
+
+    std::vector<Piece> arrange();
+
+private:
+    void add_trivia_before(std::uint32_t token);
+    void add_trivia(Trivia trivia, std::uint32_t token);
+    void add_token(std::uint32_t token);
+    void add(Piece piece, std::uint32_t token, TextRange range);
+    [[nodiscard]] Break break_before(const Piece& piece, std::uint32_t token,
+                                     std::uint32_t line_ends) const;
+    void keep_break_at_operator(std::uint32_t token);
+    [[nodiscard]] bool wants_blank_line(std::uint32_t token, std::uint32_t line_ends) const;
+    void rank_break(Piece& piece, std::uint8_t rank);
+    [[nodiscard]] std::int32_t level_of_comment(Trivia trivia, std::uint32_t token) const;
+    [[nodiscard]] bool in_broken_line(std::uint32_t offset);
+    void mark_comments_behind();
+
+    [[nodiscard]] bool at_end(std::uint32_t token) const { return token >= rows_.size(); }
+    [[nodiscard]] bool begins_line(std::uint32_t token) const {
+        return token == 0 || at_end(token) || rows_[token].begins_line;
+    }
+    [[nodiscard]] bool after_comment() const {
+        return !pieces_.empty() && pieces_.back().is_comment();
+    }
+
+    const Unit& unit_;
+    TextRule* rule_;
+    std::int32_t width_;
+    std::vector<TokenLayout> rows_;
+    std::vector<TextRange> broken_;
+    std::size_t next_broken_ = 0;
+
+    std::vector<Piece> pieces_;
+    std::size_t next_trivia_ = 0;
+    std::uint32_t end_ = 0;                // of the piece before
+    std::uint32_t line_ends_left_out_ = 0; // before a comment that is left out
+    std::uint32_t brackets_ = 0;           // open before the next token, in its line
+    bool line_in_gap_ = false;             // a line ends between the token before and the next one
+    bool blank_in_gap_ = false;            // an empty line stands there
+};
+
+std::vector<Piece> Arranger::arrange() {
+    end_ = leading_mark_size(unit_);
+    pieces_.reserve(rows_.size() + unit_.trivia().size());
+    const auto count = static_cast<std::uint32_t>(rows_.size());
+    for (std::uint32_t token = 0; token < count; ++token) {
+        add_trivia_before(token);
+        add_token(token);
+    }
+    add_trivia_before(count);
+    mark_comments_behind();
+    return std::move(pieces_);
+}
+
+// Those up to `token`, or to the end of the unit.
+void Arranger::add_trivia_before(std::uint32_t token) {
+    line_in_gap_ = false;
+    blank_in_gap_ = false;
+    const std::uint32_t end = at_end(token) ? static_cast<std::uint32_t>(unit_.text().size()) + 1
+                                            : unit_.tokens()[token].offset();
+    while (next_trivia_ < unit_.trivia().size() && unit_.trivia()[next_trivia_].range.begin < end)
+        add_trivia(unit_.trivia()[next_trivia_++], token);
+}
+
+void Arranger::add_trivia(Trivia trivia, std::uint32_t token) {
+    Piece piece;
+    piece.text = unit_.text(trivia.range);
+    if (rule_ != nullptr)
+        piece.text = rule_->trivia(trivia, piece.text);
+    piece.gap = unit_.text({end_, trivia.range.begin});
+    if (piece.text.empty()) {
+        line_ends_left_out_ = std::max(line_ends_left_out_, line_ends_in(piece.gap));
+        end_ = trivia.range.end;
+        return;
+    }
+    piece.space = true;
+    piece.pragma = trivia.kind == TriviaKind::pragma;
+    if (pieces_.empty() || line_ends_in(piece.gap) > 0)
+        piece.level = level_of_comment(trivia, token);
+    else
+        piece.source_column = source_column(unit_, trivia.range.begin);
+    add(piece, token, trivia.range);
+}
+
+void Arranger::add_token(std::uint32_t token) {
+    const Token source = unit_.tokens()[token];
+    const TokenLayout& row = rows_[token];
+    Piece piece;
+    piece.text = unit_.text(source);
+    if (rule_ != nullptr)
+        piece.text = rule_->token(source, piece.text);
+    piece.gap = unit_.text({end_, source.offset()});
+    piece.kind = source.kind();
+    piece.level = row.level;
+    piece.space = row.space || (after_comment() && !follows_directly(piece.kind));
+    piece.word = row.word;
+    piece.row = row.row;
+    piece.cell = row.cell;
+    piece.stop = row.stop;
+    add(piece, token, source.range());
+}
+
+void Arranger::add(Piece piece, std::uint32_t token, TextRange range) {
+    const std::uint32_t line_ends = std::max(line_ends_in(piece.gap), line_ends_left_out_);
+    line_ends_left_out_ = 0;
+    piece.width = width_of(piece.text, unit_.encoding());
+    piece.verbatim = in_broken_line(range.begin);
+    piece.line_break = break_before(piece, token, line_ends);
+    if (piece.line_break == Break::none && line_ends > 0 && !piece.is_comment())
+        keep_break_at_operator(token);
+    if (piece.line_break == Break::line) {
+        piece.blank_line = wants_blank_line(token, line_ends);
+        blank_in_gap_ |= piece.blank_line;
+    }
+    line_in_gap_ |= piece.line_break >= Break::kept;
+    rank_break(piece, piece.is_comment() ? std::uint8_t{0} : rows_[token].rank);
+    end_ = range.end;
+    pieces_.push_back(piece);
+}
+
+// `piece` is token `token`, or a comment before it, with `line_ends` before it in the source.
+Break Arranger::break_before(const Piece& piece, std::uint32_t token,
+                             std::uint32_t line_ends) const {
+    if (pieces_.empty())
+        return Break::line;
+    const bool stays_apart =
+        piece.is_comment() || after_comment() || piece.verbatim || pieces_.back().verbatim;
+    if (stays_apart && line_ends > 0)
+        return begins_line(token) ? Break::line : Break::kept;
+    if (piece.is_comment() || piece.verbatim)
+        return Break::none;
+    if (begins_line(token))
+        return line_in_gap_ ? Break::none : Break::line;
+    if (line_ends > 0 && (rows_[token].may_break || closes_bracket(piece.kind)))
+        return Break::kept;
+    return rows_[token].may_break ? Break::allowed : Break::none;
+}
+
+// Where the user has ended the line behind an operator, it ends before it.
+void Arranger::keep_break_at_operator(std::uint32_t token) {
+    const bool behind_operator = token > 0 && rows_[token - 1].rank > 0 && !after_comment();
+    if (behind_operator && pieces_.back().line_break == Break::allowed)
+        pieces_.back().line_break = Break::kept;
+}
+
+// One empty line of the user's, and one before each library element.
+bool Arranger::wants_blank_line(std::uint32_t token, std::uint32_t line_ends) const {
+    const bool separates = !at_end(token) && rows_[token].blank_before && !blank_in_gap_;
+    return line_ends > 1 || separates;
+}
+
+void Arranger::rank_break(Piece& piece, std::uint8_t rank) {
+    if (piece.line_break == Break::line)
+        brackets_ = 0;
+    piece.brackets = brackets_;
+    piece.rank = rank;
+    if (opens_bracket(piece.kind))
+        ++brackets_;
+    else if (closes_bracket(piece.kind) && brackets_ > 0)
+        --brackets_;
+}
+
+// A comment above a word that closes something belongs to what is closed when it stands further
+// right than the word; and so does one between parts of different levels.
+std::int32_t Arranger::level_of_comment(Trivia trivia, std::uint32_t token) const {
+    const std::int32_t before = token > 0 ? rows_[token - 1].level : 0;
+    if (at_end(token))
+        return line_before(unit_, trivia.range.begin).empty() ? 0 : before;
+    const TokenLayout& row = rows_[token];
+    const std::int32_t inside = std::max(before, row.closes ? row.level + width_ : row.level);
+    const std::uint32_t offset = unit_.tokens()[token].offset();
+    const bool further_right =
+        line_before(unit_, trivia.range.begin).size() > line_before(unit_, offset).size();
+    return further_right ? inside : row.level;
+}
+
+// To be asked in the order of offsets.
+bool Arranger::in_broken_line(std::uint32_t offset) {
+    while (next_broken_ < broken_.size() && broken_[next_broken_].end < offset)
+        ++next_broken_;
+    return next_broken_ < broken_.size() && broken_[next_broken_].begin <= offset;
+}
+
+// The first of the comments that end a line.
+void Arranger::mark_comments_behind() {
+    for (std::size_t i = pieces_.size(); i-- > 0;) {
+        const bool ends_line = i + 1 == pieces_.size() || pieces_[i + 1].line_break >= Break::kept;
+        const bool ends_comments = ends_line || pieces_[i + 1].behind;
+        if (!ends_comments || !pieces_[i].is_comment() || pieces_[i].line_break >= Break::kept)
+            continue;
+        const bool ended_line = i + 1 == pieces_.size() || line_ends_in(pieces_[i + 1].gap) > 0;
+        if (ends_line && !ended_line) // it was not put there by the user
+            pieces_[i].source_column = Piece::no_column;
+        pieces_[i].behind = true;
+        if (ends_line)
+            continue;
+        pieces_[i + 1].behind = false;
+        if (pieces_[i + 1].source_column == Piece::no_column)
+            pieces_[i].source_column = Piece::no_column;
+    }
+}
+
+} // namespace
+
+std::uint32_t leading_mark_size(const Unit& unit) noexcept {
+    const std::uint32_t size = byte_order_mark_size(unit.text(), unit.encoding());
+    const bool is_token = !unit.tokens().empty() && unit.tokens().front().offset() < size;
+    return is_token ? 0 : size;
+}
+
+std::vector<Piece> pieces_of(const Unit& unit, std::uint32_t indent_width, TextRule* rule) {
+    return Arranger(unit, indent_width, rule).arrange();
+}
+
+} // namespace iecfront::layout

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "format/layout.hpp"
+
+#include <iecfront/ast/unit.hpp>
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+// A unit as a row of pieces: its tokens, comments and pragmas, each with what stands before it.
+namespace iecfront::layout {
+
+/// What can stand before a piece.
+enum class Break : std::uint8_t {
+    none,    ///< never a line end
+    allowed, ///< a line end where the line is too long
+    kept,    ///< a line end that the user made, inside a statement or declaration
+    line,    ///< the line end that separates statements, declarations and their like
+};
+
+/// A token, comment or pragma and its place. The first group of members is known from the tree, the
+/// second one is found out by `break_lines` and `align`.
+struct Piece {
+    std::string_view text;
+    std::string_view gap;       ///< white space before it in the source, back to the piece before
+    std::uint32_t width = 0;    ///< in columns; of the last line of a piece of several
+    std::int32_t level = 0;     ///< the column of a line that begins with it
+    std::uint32_t brackets = 0; ///< that are open before it, in what is one line without breaks
+    std::uint32_t source_column = no_column; ///< of a comment behind something
+    std::uint8_t rank = 0;                   ///< see `TokenLayout`
+    TokenKind kind = TokenKind::end_of_unit; ///< end_of_unit for a comment or pragma
+    Break line_break = Break::none;
+    bool space = false;      ///< a blank before it
+    bool blank_line = false; ///< an empty line above it
+    bool verbatim = false;   ///< written as it was read, with the gap before it
+    bool word = false;       ///< spelt as `KeywordCase` says
+    bool pragma = false;     ///< stands where it stands, and is not aligned
+    bool behind = false;     ///< a comment, or pragma, at the end of a line
+    bool row = false;        ///< see `TokenLayout`
+    std::int8_t stop = -1;   ///< see `TokenLayout`
+    Cell cell = Cell::none;
+
+    bool begins_line = false; ///< a line end stands before it
+    std::uint32_t spaces = 0; ///< blanks before it, in its line
+    std::uint32_t column = 0; ///< where it begins
+
+    [[nodiscard]] bool has_line_ends() const noexcept {
+        return text.find_first_of("\r\n") != std::string_view::npos;
+    }
+    static constexpr std::uint32_t no_column = 0xFFFF'FFFF;
+
+    [[nodiscard]] bool is_comment() const noexcept { return kind == TokenKind::end_of_unit; }
+};
+
+[[nodiscard]] constexpr bool opens_bracket(TokenKind kind) noexcept {
+    return kind == TokenKind::left_parenthesis || kind == TokenKind::left_bracket;
+}
+[[nodiscard]] constexpr bool closes_bracket(TokenKind kind) noexcept {
+    return kind == TokenKind::right_parenthesis || kind == TokenKind::right_bracket;
+}
+
+/// What becomes of the text of tokens, comments and pragmas. A comment that becomes empty is left
+/// out.
+class TextRule {
+public:
+    virtual ~TextRule() = default;
+    /// The text to write for `text`, which stands at `range` of the unit; either `text` itself, or
+    /// something that is kept elsewhere until the unit is written.
+    virtual std::string_view token(Token token, std::string_view text) = 0;
+    virtual std::string_view trivia(Trivia trivia, std::string_view text) = 0;
+};
+
+/// The bytes of the byte order mark that `unit` begins with.
+[[nodiscard]] std::uint32_t leading_mark_size(const Unit& unit) noexcept;
+
+/// Tokens, comments and pragmas of `unit`, in order. `rule` may be null: all is written as it is.
+[[nodiscard]] std::vector<Piece> pieces_of(const Unit& unit, std::uint32_t indent_width,
+                                           TextRule* rule);
+
+} // namespace iecfront::layout

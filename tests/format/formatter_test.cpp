@@ -1,0 +1,92 @@
+#include <iecfront/format/formatter.hpp>
+#include <iecfront/parser/parse.hpp>
+
+#include <gtest/gtest.h>
+
+namespace iecfront {
+namespace {
+
+[[nodiscard]] std::string formatted(std::string text, const FormatOptions& options = {},
+                                    const ParseOptions& parsing = {}) {
+    return format(parse(SourceText(std::move(text)), parsing), options);
+}
+
+TEST(Formatter, SpellsKeywordsAsItIsTold) {
+    const std::string text = "Program p If a THEN b := true; end_if; END_PROGRAM\n";
+    EXPECT_EQ(formatted(text), "PROGRAM p\n    IF a THEN\n        b := TRUE;\n    END_IF;\n"
+                               "END_PROGRAM\n");
+    EXPECT_EQ(formatted(text, {KeywordCase::lower}),
+              "program p\n    if a then\n        b := true;\n    end_if;\nend_program\n");
+    EXPECT_EQ(formatted(text, {KeywordCase::keep}),
+              "Program p\n    If a THEN\n        b := true;\n    end_if;\nEND_PROGRAM\n");
+}
+
+TEST(Formatter, SpellsOperatorsAndQualifiersAsKeywords) {
+    EXPECT_EQ(formatted("PROGRAM p\nld x\njmpcn y\nEND_PROGRAM\n"),
+              "PROGRAM p\n        LD    x\n        JMPCN y\nEND_PROGRAM\n");
+    EXPECT_EQ(formatted("PROGRAM p\nINITIAL_STEP s: a(sd, T#1s); END_STEP\nEND_PROGRAM\n"),
+              "PROGRAM p\n    INITIAL_STEP s:\n        a(SD, T#1s);\n    END_STEP\nEND_PROGRAM\n");
+}
+
+TEST(Formatter, IndentsAsItIsTold) {
+    FormatOptions options;
+    options.indent_width = 2;
+    EXPECT_EQ(formatted("TYPE a : INT; END_TYPE", options), "TYPE\n  a : INT;\nEND_TYPE\n");
+    options.indent_width = 0;
+    EXPECT_EQ(formatted("TYPE\n\t\ta : INT;\nEND_TYPE", options), "TYPE\na : INT;\nEND_TYPE\n");
+}
+
+TEST(Formatter, BreaksLinesAsItIsTold) {
+    FormatOptions options;
+    options.line_length = 20;
+    EXPECT_EQ(formatted("PROGRAM p f(aaaa, bbbb, cccc); END_PROGRAM", options),
+              "PROGRAM p\n    f(aaaa, bbbb,\n      cccc);\nEND_PROGRAM\n");
+}
+
+TEST(Formatter, KeepsLineEnds) {
+    EXPECT_EQ(formatted("TYPE\r\na : INT; END_TYPE"), "TYPE\r\n    a : INT;\r\nEND_TYPE\r\n");
+    EXPECT_EQ(formatted("TYPE\ra : INT; END_TYPE"), "TYPE\r    a : INT;\rEND_TYPE\r");
+    EXPECT_EQ(formatted("TYPE\na : INT;\r\nEND_TYPE"), "TYPE\n    a : INT;\nEND_TYPE\n");
+}
+
+TEST(Formatter, KeepsTheByteOrderMark) {
+    EXPECT_EQ(formatted("\xEF\xBB\xBF\n TYPE a : INT; END_TYPE"),
+              "\xEF\xBB\xBFTYPE\n    a : INT;\nEND_TYPE\n");
+    EXPECT_EQ(formatted("\xEF\xBB\xBF"), "\xEF\xBB\xBF");
+}
+
+TEST(Formatter, CountsCharactersAndNotBytes) {
+    EXPECT_EQ(formatted("PROGRAM p\na := '\xC3\x84'; (* a *)\nbbb := ''; (* b *)\nEND_PROGRAM\n"),
+              "PROGRAM p\n    a := '\xC3\x84';   (* a *)\n    bbb := '';  (* b *)\nEND_PROGRAM\n");
+}
+
+TEST(Formatter, MakesNothingOfNothing) {
+    EXPECT_EQ(formatted(""), "");
+    EXPECT_EQ(formatted(" \n\t\n"), "");
+    EXPECT_EQ(formatted("\n\n(* alone *)"), "(* alone *)\n");
+}
+
+TEST(Formatter, TakesFragments) {
+    EXPECT_EQ(formatted("a:=1;b:=2;", {}, {FragmentKind::statement_list}), "a := 1;\nb := 2;\n");
+    EXPECT_EQ(formatted("a+b", {}, {FragmentKind::expression}), "a + b\n");
+    EXPECT_EQ(
+        formatted("VAR a:INT;END_VAR VAR b:INT;END_VAR", {}, {FragmentKind::variable_declarations}),
+        "VAR\n    a : INT;\nEND_VAR\nVAR\n    b : INT;\nEND_VAR\n");
+    EXPECT_EQ(formatted("x:\nLD a\n", {}, {FragmentKind::body}), "x:\n    LD    a\n");
+}
+
+TEST(Formatter, KeepsBrokenBytes) {
+    const std::string broken = "PROGRAM p\n   a  :=\xFF '\x80';\nEND_PROGRAM\n";
+    EXPECT_EQ(formatted(broken), broken);
+}
+
+TEST(Formatter, TakesTimeInProportionToTheText) {
+    std::string text = "PROGRAM p\nx := ";
+    for (int i = 0; i < 100'000; ++i)
+        text += "a + (b) * ";
+    text += "c;\nEND_PROGRAM\n";
+    EXPECT_GT(formatted(text).size(), text.size() / 2);
+}
+
+} // namespace
+} // namespace iecfront
