@@ -22,7 +22,7 @@ void print_lines(const std::string& text) {
 
 Status run_ast(const Options& options) {
     const std::vector<Input> inputs = find_inputs(options.operands);
-    return read_each(inputs, options, [&](const SourceText& source) {
+    return read_each(inputs, options, [&](const SourceText& source, const Input&) {
         const SyntaxTree tree = parse(source, options.parse);
         if (options.format == Format::json) {
             print_lines(dump_json(tree));

@@ -115,6 +115,30 @@ void set_findings(Options& options, std::string_view value) {
         static_cast<std::size_t>(number<0, UINT32_MAX>("--max-findings", value));
 }
 
+void set_check(Options& options, std::string_view) {
+    options.check = true;
+}
+
+void set_write(Options& options, std::string_view) {
+    options.write = true;
+}
+
+void set_keyword_case(Options& options, std::string_view value) {
+    constexpr std::array<Choice<KeywordCase>, 3> cases = {{{"upper", KeywordCase::upper},
+                                                           {"lower", KeywordCase::lower},
+                                                           {"keep", KeywordCase::keep}}};
+    options.layout.keyword_case = choose<KeywordCase>("--keyword-case", value, cases);
+}
+
+void set_indent(Options& options, std::string_view value) {
+    options.layout.indent_width = static_cast<std::uint32_t>(number<0, 16>("--indent", value));
+}
+
+void set_line_length(Options& options, std::string_view value) {
+    options.layout.line_length =
+        static_cast<std::uint32_t>(number<20, 10'000>("--line-length", value));
+}
+
 void set_list(Options& options, std::string_view) {
     options.list = true;
 }
@@ -206,6 +230,18 @@ constexpr std::array ast_options = {
     encoding_row,
     nesting_row,
 };
+constexpr std::array format_options = {
+    OptionRow{"--check", "", "print the names of the files that would change, and nothing else",
+              set_check},
+    OptionRow{"--write", "", "rewrite the files that change, and print their names", set_write},
+    OptionRow{"--keyword-case", "CASE", "spell keywords upper (default), lower, or keep them",
+              set_keyword_case},
+    OptionRow{"--indent", "N", "blanks a level (0 to 16, default 4)", set_indent},
+    OptionRow{"--line-length", "N", "columns of a line (20 to 10000, default 100)",
+              set_line_length},
+    encoding_row,
+    nesting_row,
+};
 constexpr std::array explain_options = {
     OptionRow{"--list", "", "list every code with its name and message", set_list},
 };
@@ -262,6 +298,24 @@ A folder stands for every *.st, *.il, *.sfc, *.iec and *.pou in it and below it,
 exit status: 0, or 2 for wrong usage or an input that could not be read
 )";
 
+constexpr std::string_view format_details =
+    R"(Prints each file in one agreed layout: a statement a line, four blanks a level,
+keywords in upper case, colons and initial values of declarations aligned, long
+lines broken. Comments and pragmas stay where they are, and lines of yours inside
+of statements and lists as far as possible. Lines with violations of the syntax
+stay as they are. What is formatted once stays as it is.
+
+With --write a file is replaced by a new one as a whole, or not at all.
+
+A folder stands for every *.st, *.il, *.sfc, *.iec and *.pou in it and below it,
+`-` for standard input, `@file` for the arguments in that file, one a line.
+
+exit status:
+  0  done; with --check: nothing would change
+  1  with --check: something would change
+  2  wrong usage, or a file could not be read or written
+)";
+
 constexpr std::string_view explain_details =
     R"(WHAT is a code (IEC2001), a name of a diagnostic or an extension
 (missing-semicolon, line-comment), or a feature of the standard's feature
@@ -286,6 +340,7 @@ constexpr std::array command_table = {
             run_tokens},
     Command{"ast", inputs, "print the syntax trees of source texts", ast_details, ast_options,
             run_ast},
+    Command{"format", inputs, "lay source texts out", format_details, format_options, run_format},
     Command{"explain", "WHAT...", "explain diagnostics, extensions and features", explain_details,
             explain_options, run_explain},
     Command{"compliance", "", "print the compliance statement", compliance_details,

@@ -31,6 +31,7 @@ struct Command {
 [[nodiscard]] Status run_check(const Options& options);
 [[nodiscard]] Status run_tokens(const Options& options);
 [[nodiscard]] Status run_ast(const Options& options);
+[[nodiscard]] Status run_format(const Options& options);
 [[nodiscard]] Status run_explain(const Options& options);
 [[nodiscard]] Status run_compliance(const Options& options);
 

@@ -4,6 +4,7 @@
 
 #include <iecfront/compliance/dialects.hpp>
 #include <iecfront/diagnostics/severity.hpp>
+#include <iecfront/format/formatter.hpp>
 #include <iecfront/parser/parse.hpp>
 #include <iecfront/source/encoding.hpp>
 
@@ -34,6 +35,9 @@ struct Options {
     const Dialect* dialect = nullptr; ///< null: the default one
     /// Of --warn, --allow, --deny and --strict, in order.
     std::vector<std::pair<std::string, Severity>> severities;
+    FormatOptions layout;
+    bool check = false; ///< only name what is not formatted
+    bool write = false; ///< rewrite it
     bool list = false;
     bool help = false;
 

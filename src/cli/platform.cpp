@@ -46,6 +46,14 @@ std::FILE* open_for_reading(const std::filesystem::path& path) {
 #endif
 }
 
+std::FILE* open_new_file(const std::filesystem::path& path) {
+#ifdef _WIN32
+    return _wfopen(path.c_str(), L"wbx");
+#else
+    return std::fopen(path.c_str(), "wbx");
+#endif
+}
+
 std::string system_message(int error) {
     return std::error_code(error, std::generic_category()).message();
 }

@@ -17,6 +17,10 @@ void prepare_standard_streams();
 /// Opens a file for reading bytes; null, and the reason in `errno`, when that fails.
 [[nodiscard]] std::FILE* open_for_reading(const std::filesystem::path& path);
 
+/// Makes a file and opens it for writing bytes; null, and the reason in `errno`, when that fails,
+/// also because it is there.
+[[nodiscard]] std::FILE* open_new_file(const std::filesystem::path& path);
+
 /// The system's words for an error number (`errno`).
 [[nodiscard]] std::string system_message(int error);
 

@@ -6,12 +6,12 @@
 namespace iecfront::cli {
 
 Status read_each(std::span<const Input> inputs, const Options& options,
-                 const std::function<void(const SourceText&)>& use) {
+                 const std::function<void(const SourceText&, const Input&)>& use) {
     Status status = Status::nothing_found;
     for (const Input& input : inputs) {
         const ReadText text = read_input(input, options.encoding);
         if (text.problem.empty() && !text.too_large) {
-            use(text.source);
+            use(text.source, input);
             continue;
         }
         complain(on_one_line(input.name) + ": " +

@@ -8,9 +8,9 @@
 
 namespace iecfront::cli {
 
-/// Reads the inputs one after another and gives each to `use`. What cannot be read is complained
-/// of, and the rest is read all the same.
+/// Reads the inputs one after another and gives the text of each to `use`. What cannot be read is
+/// complained of, and the rest is read all the same.
 [[nodiscard]] Status read_each(std::span<const Input> inputs, const Options& options,
-                               const std::function<void(const SourceText&)>& use);
+                               const std::function<void(const SourceText&, const Input&)>& use);
 
 } // namespace iecfront::cli

@@ -125,7 +125,7 @@ private:
 
 Status run_tokens(const Options& options) {
     const std::vector<Input> inputs = find_inputs(options.operands);
-    return read_each(inputs, options, [&](const SourceText& source) {
+    return read_each(inputs, options, [&](const SourceText& source, const Input&) {
         const SyntaxTree tree = parse(source, options.parse);
         if (options.format == Format::text && inputs.size() > 1)
             print(source.name() + ":\n");

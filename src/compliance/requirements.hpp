@@ -33,8 +33,9 @@ inline constexpr std::array requirements = {
                 "no types, functions or function blocks are added to those of the standard"},
     Requirement{'i', "the formal syntax in the form of Annex A", true,
                 "`docs/grammar.md`; tests compare it with the parser"},
-    Requirement{'j', "reading and writing library elements in ISO/IEC 646", false,
-                "they are read; they are not written yet"},
+    Requirement{'j', "reading and writing library elements in ISO/IEC 646", true,
+                "`write` gives the text of any tree in it; characters beyond it become `$` "
+                "combinations in strings, and are reported where they stand elsewhere"},
 };
 
 } // namespace iecfront

@@ -261,6 +261,7 @@ public:
     ast::Walk visit(const ast::ForStatement& node) { return indent(node.statements); }
     ast::Walk visit(const ast::WhileStatement& node) { return indent(node.statements); }
     ast::Walk visit(const ast::RepeatStatement& node) { return indent(node.statements); }
+    ast::Walk visit(const ast::ContinueStatement& node) { return word(node.first_token); }
 
     // ---- sequential function charts (B.1.6) ----------------------------------------------------
 
@@ -487,6 +488,7 @@ private:
         case ast::NodeKind::fb_invocation:
         case ast::NodeKind::return_statement:
         case ast::NodeKind::exit_statement:
+        case ast::NodeKind::continue_statement:
         case ast::NodeKind::expression_statement:
             return statement.first_token < tokens_.size() &&
                    !tokens_[statement.first_token].first_on_line();

@@ -267,6 +267,27 @@ TEST(Embedding, EditorQueries) {
               (std::vector<std::string>{"final", "count", "count", "final", "count", "final"}));
 }
 
+TEST(Embedding, FormattingAndWriting) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText("TYPE t:INT; END_TYPE"));
+
+    iecfront::FormatOptions layout;
+    layout.keyword_case = iecfront::KeywordCase::lower;
+    std::string text = iecfront::format(tree, layout);
+
+    EXPECT_EQ(text, "type\n    t : int;\nend_type\n");
+
+    iecfront::SyntaxTree german =
+        iecfront::parse(iecfront::SourceText("TYPE t : STRING := '\xC3\x84'; END_TYPE"));
+
+    iecfront::WriteOptions options;
+    options.comments = iecfront::CommentHandling::keep_iso_646;
+    iecfront::WrittenText written = iecfront::write(german, options);
+    bool plain = written.beyond_iso_646.empty();
+
+    EXPECT_TRUE(plain);
+    EXPECT_EQ(written.text, "TYPE\n    t : STRING := '$C4';\nEND_TYPE\n");
+}
+
 TEST(Embedding, Fragments) {
     iecfront::ParseOptions options;
     options.read_as = iecfront::FragmentKind::expression;
