@@ -37,17 +37,18 @@ namespace {
             static_cast<std::uint32_t>(std::min(behind, text.size()))};
 }
 
-// Puts stretches that touch together.
-[[nodiscard]] std::vector<TextRange> joined(std::vector<TextRange> ranges) {
+// No line is looked at twice, however long it is and however much is in it.
+[[nodiscard]] std::vector<TextRange> lines_with(std::vector<TextRange> ranges,
+                                                std::string_view text) {
     std::ranges::sort(ranges, {}, &TextRange::begin);
-    std::vector<TextRange> result;
+    std::vector<TextRange> lines;
     for (const TextRange range : ranges) {
-        if (!result.empty() && range.begin <= result.back().end)
-            result.back().end = std::max(result.back().end, range.end);
-        else
-            result.push_back(range);
+        if (lines.empty() || range.begin > lines.back().end)
+            lines.push_back(whole_lines(text, range));
+        else if (range.end > lines.back().end)
+            lines.back().end = whole_lines(text, {lines.back().end, range.end}).end;
     }
-    return result;
+    return lines;
 }
 
 } // namespace
@@ -64,10 +65,7 @@ std::vector<TextRange> broken_lines(const Unit& unit) {
             ranges.push_back(unit.range(node));
         return ast::Walk::into;
     });
-    std::vector<TextRange> lines = joined(std::move(ranges));
-    for (TextRange& range : lines)
-        range = whole_lines(unit.text(), range);
-    return joined(std::move(lines));
+    return lines_with(std::move(ranges), unit.text());
 }
 
 } // namespace iecfront::layout

@@ -42,7 +42,7 @@ using Line = std::span<Piece>;
 [[nodiscard]] std::uint32_t end_of_code(Line line) noexcept {
     std::uint32_t end = 0;
     for (std::size_t i = 0; i < line.size() && !line[i].behind; ++i)
-        end = line[i].column + line[i].width;
+        end = line[i].width + (line[i].has_line_ends() ? 0 : line[i].column);
     return end;
 }
 

@@ -34,19 +34,35 @@ namespace {
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-// What stands before `offset` in its line.
-[[nodiscard]] std::string_view line_before(const Unit& unit, std::uint32_t offset) noexcept {
-    const std::string_view before = unit.text().substr(0, offset);
-    const std::size_t line_end = before.find_last_of("\r\n");
-    return line_end == std::string_view::npos ? before : before.substr(line_end + 1);
-}
+/// Counts the columns of the source on the way from its beginning to its end.
+class ColumnCounter {
+public:
+    explicit ColumnCounter(const Unit& unit) : unit_(unit) {}
 
-// Nothing when a tab makes it uncertain.
-[[nodiscard]] std::uint32_t source_column(const Unit& unit, std::uint32_t offset) noexcept {
-    const std::string_view line = line_before(unit, offset);
-    return line.find('\t') == std::string_view::npos ? width_of(line, unit.encoding())
-                                                     : Piece::no_column;
-}
+    /// Only forwards.
+    void move_to(std::uint32_t offset) {
+        const std::string_view way = unit_.text({offset_, offset});
+        if (way.find_first_of("\r\n") != std::string_view::npos) {
+            column_ = 0;
+            behind_tab_ = false;
+        }
+        column_ += width_of(way, unit_.encoding());
+        behind_tab_ |= way.substr(way.find_last_of("\r\n") + 1).find('\t') != way.npos;
+        offset_ = offset;
+    }
+    /// Counted from 0; a tab is one.
+    [[nodiscard]] std::uint32_t column() const noexcept { return column_; }
+    /// Nothing when a tab makes it uncertain.
+    [[nodiscard]] std::uint32_t certain_column() const noexcept {
+        return behind_tab_ ? Piece::no_column : column_;
+    }
+
+private:
+    const Unit& unit_;
+    std::uint32_t offset_ = 0;
+    std::uint32_t column_ = 0;
+    bool behind_tab_ = false;
+};
 
 class Arranger {
 public:
@@ -55,12 +71,15 @@ public:
           rule_(rule),
           width_(static_cast<std::int32_t>(indent_width)),
           rows_(lay_out(unit, indent_width)),
-          broken_(broken_lines(unit)) {}
+          broken_(broken_lines(unit)),
+          trivia_column_(unit),
+          token_column_(unit) {}
 
     std::vector<Piece> arrange();
 
 private:
     void add_trivia_before(std::uint32_t token);
+    [[nodiscard]] std::uint32_t line_begin_of(std::uint32_t token) const;
     void add_trivia(Trivia trivia, std::uint32_t token);
     void add_token(std::uint32_t token);
     void add(Piece piece, std::uint32_t token, TextRange range);
@@ -69,7 +88,7 @@ private:
     void keep_break_at_operator(std::uint32_t token);
     [[nodiscard]] bool wants_blank_line(std::uint32_t token, std::uint32_t line_ends) const;
     void rank_break(Piece& piece, std::uint8_t rank);
-    [[nodiscard]] std::int32_t level_of_comment(Trivia trivia, std::uint32_t token) const;
+    [[nodiscard]] std::int32_t level_of_comment(std::uint32_t token);
     [[nodiscard]] bool in_broken_line(std::uint32_t offset);
     void mark_comments_behind();
 
@@ -87,6 +106,10 @@ private:
     std::vector<TokenLayout> rows_;
     std::vector<TextRange> broken_;
     std::size_t next_broken_ = 0;
+
+    ColumnCounter trivia_column_;  // of the last comment
+    ColumnCounter token_column_;   // of the line of the token behind it
+    std::uint32_t line_begin_ = 0; // of the line of the next token
 
     std::vector<Piece> pieces_;
     std::size_t next_trivia_ = 0;
@@ -116,27 +139,46 @@ void Arranger::add_trivia_before(std::uint32_t token) {
     blank_in_gap_ = false;
     const std::uint32_t end = at_end(token) ? static_cast<std::uint32_t>(unit_.text().size()) + 1
                                             : unit_.tokens()[token].offset();
+    line_begin_ = line_begin_of(token);
     while (next_trivia_ < unit_.trivia().size() && unit_.trivia()[next_trivia_].range.begin < end)
         add_trivia(unit_.trivia()[next_trivia_++], token);
+}
+
+// Where the line of `token` begins, if comments before it stand there as well.
+std::uint32_t Arranger::line_begin_of(std::uint32_t token) const {
+    if (at_end(token))
+        return static_cast<std::uint32_t>(unit_.text().size());
+    std::uint32_t begin = unit_.tokens()[token].offset();
+    std::size_t behind = next_trivia_;
+    while (behind < unit_.trivia().size() && unit_.trivia()[behind].range.begin < begin)
+        ++behind;
+    for (; behind > next_trivia_; --behind) {
+        const TextRange trivia = unit_.trivia()[behind - 1].range;
+        if (line_ends_in(unit_.text({trivia.end, begin})) > 0)
+            break;
+        begin = trivia.begin;
+    }
+    return begin;
 }
 
 void Arranger::add_trivia(Trivia trivia, std::uint32_t token) {
     Piece piece;
     piece.text = unit_.text(trivia.range);
     if (rule_ != nullptr)
-        piece.text = rule_->trivia(trivia, piece.text);
+        piece.text = rule_->trivia(trivia, piece.text, in_broken_line(trivia.range.begin));
     piece.gap = unit_.text({end_, trivia.range.begin});
     if (piece.text.empty()) {
         line_ends_left_out_ = std::max(line_ends_left_out_, line_ends_in(piece.gap));
         end_ = trivia.range.end;
         return;
     }
+    trivia_column_.move_to(trivia.range.begin);
     piece.space = true;
     piece.pragma = trivia.kind == TriviaKind::pragma;
     if (pieces_.empty() || line_ends_in(piece.gap) > 0)
-        piece.level = level_of_comment(trivia, token);
+        piece.level = level_of_comment(token);
     else
-        piece.source_column = source_column(unit_, trivia.range.begin);
+        piece.source_column = trivia_column_.certain_column();
     add(piece, token, trivia.range);
 }
 
@@ -220,16 +262,14 @@ void Arranger::rank_break(Piece& piece, std::uint8_t rank) {
 
 // A comment above a word that closes something belongs to what is closed when it stands further
 // right than the word; and so does one between parts of different levels.
-std::int32_t Arranger::level_of_comment(Trivia trivia, std::uint32_t token) const {
+std::int32_t Arranger::level_of_comment(std::uint32_t token) {
     const std::int32_t before = token > 0 ? rows_[token - 1].level : 0;
     if (at_end(token))
-        return line_before(unit_, trivia.range.begin).empty() ? 0 : before;
+        return trivia_column_.column() == 0 ? 0 : before;
     const TokenLayout& row = rows_[token];
     const std::int32_t inside = std::max(before, row.closes ? row.level + width_ : row.level);
-    const std::uint32_t offset = unit_.tokens()[token].offset();
-    const bool further_right =
-        line_before(unit_, trivia.range.begin).size() > line_before(unit_, offset).size();
-    return further_right ? inside : row.level;
+    token_column_.move_to(line_begin_);
+    return trivia_column_.column() > token_column_.column() ? inside : row.level;
 }
 
 // To be asked in the order of offsets.

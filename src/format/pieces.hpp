@@ -61,14 +61,14 @@ struct Piece {
 }
 
 /// What becomes of the text of tokens, comments and pragmas. A comment that becomes empty is left
-/// out.
+/// out; one that `stays`, in a line that could not be read, has to be written.
 class TextRule {
 public:
     virtual ~TextRule() = default;
     /// The text to write for `text`, which stands at `range` of the unit; either `text` itself, or
     /// something that is kept elsewhere until the unit is written.
     virtual std::string_view token(Token token, std::string_view text) = 0;
-    virtual std::string_view trivia(Trivia trivia, std::string_view text) = 0;
+    virtual std::string_view trivia(Trivia trivia, std::string_view text, bool stays) = 0;
 };
 
 /// The bytes of the byte order mark that `unit` begins with.

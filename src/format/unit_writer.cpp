@@ -1,8 +1,10 @@
 #include "format/unit_writer.hpp"
 
+#include "format/broken_lines.hpp"
 #include "format/columns.hpp"
 #include "format/lines.hpp"
 
+#include <iecfront/ast/nodes.hpp>
 #include <iecfront/lexer/name.hpp>
 #include <iecfront/parser/parse.hpp>
 
@@ -32,7 +34,7 @@ void append_word(std::string& out, std::string_view word, KeywordCase keyword_ca
     return line_end == std::string_view::npos ? gap : gap.substr(line_end + 1);
 }
 
-void append(std::string& out, const Piece& piece, KeywordCase keyword_case) {
+void append_piece(std::string& out, const Piece& piece, KeywordCase keyword_case) {
     if (piece.verbatim)
         out += last_line(piece.gap);
     else
@@ -43,50 +45,125 @@ void append(std::string& out, const Piece& piece, KeywordCase keyword_case) {
         out += piece.text;
 }
 
-} // namespace
+[[nodiscard]] std::string_view line_end_at(std::string_view text, std::size_t at) noexcept {
+    if (text[at] == '\n')
+        return "\n";
+    return at + 1 < text.size() && text[at + 1] == '\n' ? "\r\n" : "\r";
+}
 
-std::string_view line_end_of(const SyntaxTree& tree) {
+// The first line end behind `at` that no comment holds; the end of text when there is none.
+[[nodiscard]] std::size_t find_line_end(const Unit& unit, std::size_t at) {
+    const std::string_view text = unit.text();
+    at = text.find_first_of("\r\n", at);
+    for (const Trivia& trivia : unit.trivia())
+        if (at != std::string_view::npos && trivia.range.begin <= at && at < trivia.range.end)
+            at = text.find_first_of("\r\n", trivia.range.end);
+    return at;
+}
+
+[[nodiscard]] std::size_t begin_of_contents(const Unit& unit) {
+    std::size_t begin = unit.text().size();
+    if (!unit.tokens().empty())
+        begin = unit.tokens().front().offset();
+    if (!unit.trivia().empty())
+        begin = std::min<std::size_t>(begin, unit.trivia().front().range.begin);
+    return begin;
+}
+
+// What the first line ends in that is no empty one; LF when there is none.
+[[nodiscard]] std::string_view line_end_of(const SyntaxTree& tree) {
+    std::size_t begin = begin_of_contents(*tree.slots().front().unit);
     for (const SyntaxTree::Slot& slot : tree.slots()) {
-        const std::string_view text = slot.unit->text();
-        const std::size_t found = text.find_first_of("\r\n");
-        if (found == std::string_view::npos)
-            continue;
-        if (text[found] == '\n')
-            return "\n";
-        return found + 1 < text.size() && text[found + 1] == '\n' ? "\r\n" : "\r";
+        const std::size_t found = find_line_end(*slot.unit, begin);
+        if (found != std::string_view::npos)
+            return line_end_at(slot.unit->text(), found);
+        begin = 0;
     }
     return "\n";
 }
 
-void write_unit(std::string& out, const Unit& unit, std::string_view line_end,
-                const FormatOptions& options, TextRule* rule) {
-    std::vector<Piece> pieces = pieces_of(unit, options.indent_width, rule);
-    break_lines(pieces, options.indent_width, options.line_length);
-    align(pieces, options.line_length);
+// Extensions by which nothing is read in another way, wherever lines end.
+[[nodiscard]] bool is_harmless(const Diagnostic& diagnostic) {
+    return diagnostic.id == DiagnosticId::line_comment ||
+           diagnostic.id == DiagnosticId::c_comment ||
+           diagnostic_info(diagnostic.id).category == DiagnosticClass::implementation_dependent;
+}
+
+// The same tokens, no more findings, and the same nodes when there are no lines to keep.
+[[nodiscard]] bool reads_as(const Unit& unit, const SyntaxTree& tree) {
+    if (tree.slots().size() != 1)
+        return false;
+    const Unit& other = *tree.slots().front().unit;
+    return std::ranges::equal(unit.tokens(), other.tokens(), {}, &Token::kind, &Token::kind) &&
+           other.diagnostics().size() <= unit.diagnostics().size() &&
+           (!broken_lines(unit).empty() || ast::equal(unit.root(), other.root()));
+}
+
+} // namespace
+
+UnitWriter::UnitWriter(const SyntaxTree& tree, const FormatOptions& options)
+    : tree_(tree), options_(options), line_end_(line_end_of(tree)) {
+    out_.reserve(tree.size() + tree.size() / 8);
+}
+
+bool UnitWriter::append(const Unit& unit, TextRule* rule) {
+    const std::size_t begin = out_.size();
+    lay_out(out_, unit, rule);
+    complete_ = out_.size() <= begin + leading_mark_size(unit);
+    if (std::ranges::all_of(unit.diagnostics(), is_harmless))
+        return true;
+    doubtful_ = true;
+    if (is_read_alike(unit, std::string_view(out_).substr(begin), rule == nullptr))
+        return true;
+    out_.replace(begin, std::string::npos, unit.text());
+    complete_ = true;
+    return false;
+}
+
+std::optional<std::string> UnitWriter::finish() && {
+    if (!complete_)
+        out_ += line_end_;
+    if (doubtful_ && !has_no_more_findings(out_))
+        return std::nullopt;
+    return std::move(out_);
+}
+
+// Where a unit begins and ends is guessed as well when something is wrong.
+bool UnitWriter::has_no_more_findings(const std::string& text) const {
+    const SyntaxTree tree = parse(SourceText(text, {}, tree_.encoding()), tree_.options());
+    return tree.slots().size() == tree_.slots().size() &&
+           tree.diagnostics().size() <= tree_.diagnostics().size();
+}
+
+void UnitWriter::lay_out(std::string& out, const Unit& unit, TextRule* rule) const {
+    std::vector<Piece> pieces = pieces_of(unit, options_.indent_width, rule);
+    break_lines(pieces, options_.indent_width, options_.line_length);
+    align(pieces, options_.line_length);
     bool first_in_file = out.empty();
     if (rule == nullptr) // a byte order mark is nothing to write in ISO 646
         out += unit.text().substr(0, leading_mark_size(unit));
     for (const Piece& piece : pieces) {
         if (piece.begins_line && !first_in_file)
-            out += line_end;
+            out += line_end_;
         if (piece.blank_line && !first_in_file)
-            out += line_end;
+            out += line_end_;
         first_in_file = false;
-        append(out, piece, options.keyword_case);
+        append_piece(out, piece, options_.keyword_case);
     }
 }
 
-bool reads_as(const Unit& unit, std::string_view written, const ParseOptions& options) {
-    const SyntaxTree tree = parse(SourceText(std::string(written), {}, unit.encoding()), options);
-    std::size_t token = 0;
-    std::size_t findings = 0;
-    for (const SyntaxTree::Slot& slot : tree.slots()) {
-        findings += slot.unit->diagnostics().size();
-        for (const Token other : slot.unit->tokens())
-            if (token == unit.tokens().size() || unit.tokens()[token++].kind() != other.kind())
-                return false;
-    }
-    return token == unit.tokens().size() && findings <= unit.diagnostics().size();
+// What is formatted has to be formatted already, besides.
+bool UnitWriter::is_read_alike(const Unit& unit, std::string_view written, bool formatted) const {
+    const SyntaxTree tree =
+        parse(SourceText(std::string(written), {}, unit.encoding()), tree_.options());
+    if (!reads_as(unit, tree))
+        return false;
+    if (!formatted)
+        return true;
+    const std::string_view before = written.starts_with(line_end_) ? "-" : "";
+    std::string twice(before);
+    lay_out(twice, *tree.slots().front().unit, nullptr);
+    return std::string_view(twice).substr(before.size()) == written;
 }
 
 } // namespace iecfront::layout

@@ -1,4 +1,3 @@
-#include "format/broken_lines.hpp"
 #include "format/unit_writer.hpp"
 
 #include <iecfront/format/writer.hpp>
@@ -16,6 +15,20 @@ namespace {
 }
 [[nodiscard]] bool in_iso_646(std::string_view text) noexcept {
     return std::ranges::all_of(text, [](char c) { return in_iso_646(c); });
+}
+
+// All characters beyond it.
+[[nodiscard]] std::vector<TextRange> places_beyond(std::string_view text) {
+    std::vector<TextRange> places;
+    for (std::uint32_t begin = 0; begin < text.size(); ++begin) {
+        std::uint32_t end = begin;
+        while (end < text.size() && !in_iso_646(text[end]))
+            ++end;
+        if (end != begin)
+            places.push_back({begin, end});
+        begin = end;
+    }
+    return places;
 }
 
 // `$C4`, or `$00C4` in a double-byte string.
@@ -72,14 +85,14 @@ public:
     std::string_view token(Token token, std::string_view text) override {
         if (in_iso_646(text))
             return text;
-        if (auto literal = escaped(text, unit_.encoding()))
+        if (auto literal = escaped(text, unit_.encoding()); literal && in_iso_646(*literal))
             return keep(std::move(*literal));
         report(token.range());
         return text;
     }
 
-    std::string_view trivia(Trivia trivia, std::string_view text) override {
-        const bool is_comment = trivia.kind != TriviaKind::pragma;
+    std::string_view trivia(Trivia trivia, std::string_view text, bool stays) override {
+        const bool is_comment = !stays && trivia.kind != TriviaKind::pragma;
         if (is_comment && comments_ == CommentHandling::leave_out)
             return {};
         if (!in_iso_646(text)) {
@@ -89,20 +102,6 @@ public:
         }
         const bool standard = !is_comment || trivia.kind == TriviaKind::comment;
         return standard ? text : keep(in_standard_form(trivia, text));
-    }
-
-    /// Reports the characters of the unit as a whole.
-    void report_all() {
-        places_.clear();
-        const std::string_view text = unit_.text();
-        for (std::uint32_t begin = 0; begin < text.size(); ++begin) {
-            std::uint32_t end = begin;
-            while (end < text.size() && !in_iso_646(text[end]))
-                ++end;
-            if (end != begin)
-                report({begin, end});
-            begin = end;
-        }
     }
 
     [[nodiscard]] const std::vector<TextRange>& places() const noexcept { return places_; }
@@ -117,30 +116,25 @@ private:
     std::vector<TextRange> places_;
 };
 
-void append(WrittenText& written, const SyntaxTree& tree, const SyntaxTree::Slot& slot,
-            const WriteOptions& options) {
-    const Unit& unit = *slot.unit;
-    const std::size_t begin = written.text.size();
-    Iso646 rule(unit, options.comments);
-    layout::write_unit(written.text, unit, layout::line_end_of(tree), options.layout, &rule);
-    const std::string_view text = std::string_view(written.text).substr(begin);
-    if (!layout::broken_lines(unit).empty() && !layout::reads_as(unit, text, tree.options())) {
-        rule.report_all();
-        written.text.replace(begin, std::string::npos, unit.text());
-    }
-    for (const TextRange place : rule.places())
-        written.beyond_iso_646.push_back(place.shifted(slot.offset));
+[[nodiscard]] WrittenText as_it_was(const SyntaxTree& tree) {
+    WrittenText written{std::string(tree.source().bytes()), {}};
+    written.beyond_iso_646 = places_beyond(written.text);
+    return written;
 }
 
 } // namespace
 
 WrittenText write(const SyntaxTree& tree, const WriteOptions& options) {
-    WrittenText written;
-    for (const SyntaxTree::Slot& slot : tree.slots())
-        append(written, tree, slot, options);
-    if (!written.text.empty() && written.text.find_last_of("\r\n") + 1 != written.text.size())
-        written.text += layout::line_end_of(tree);
-    return written;
+    std::vector<TextRange> places;
+    layout::UnitWriter writer(tree, options.layout);
+    for (const SyntaxTree::Slot& slot : tree.slots()) {
+        Iso646 rule(*slot.unit, options.comments);
+        const bool laid_out = writer.append(*slot.unit, &rule);
+        for (const TextRange place : laid_out ? rule.places() : places_beyond(slot.unit->text()))
+            places.push_back(place.shifted(slot.offset));
+    }
+    std::optional<std::string> text = std::move(writer).finish();
+    return text ? WrittenText{*std::move(text), std::move(places)} : as_it_was(tree);
 }
 
 } // namespace iecfront

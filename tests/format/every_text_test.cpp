@@ -5,6 +5,10 @@
 #include "support/case_outcome.hpp"
 #include "support/repository_files.hpp"
 
+#include <iecfront/ast/attached_comments.hpp>
+#include <iecfront/ast/nodes.hpp>
+#include <iecfront/ast/visitor.hpp>
+
 #include <gtest/gtest.h>
 
 // What holds for every layout and every written text, whatever is in it: over all cases, with
@@ -53,6 +57,35 @@ TEST(Examples, AreFormattedAndWritten) {
     for (const RepositoryFile& file : example_programs()) {
         SCOPED_TRACE(file.path);
         expect_no_fault_anywhere(SourceText(file.text));
+    }
+}
+
+/// The comments that speak of each declaration and statement.
+[[nodiscard]] std::vector<std::string> attached(const SyntaxTree& tree) {
+    std::vector<std::string> comments;
+    for (const SyntaxTree::Slot& slot : tree.slots())
+        ast::walk(slot.unit->root(), [&](const ast::Node& node) {
+            if (!ast::is<ast::Statement>(node.kind) &&
+                node.kind != ast::NodeKind::variable_declaration)
+                return ast::Walk::into;
+            const AttachedComments found = attached_comments(*slot.unit, node);
+            comments.emplace_back();
+            for (const Trivia& trivia : found.before)
+                comments.back() += "above: " + std::string(slot.unit->text(trivia.range)) + '\n';
+            for (const Trivia& trivia : found.behind)
+                comments.back() += "behind: " + std::string(slot.unit->text(trivia.range)) + '\n';
+            return ast::Walk::into;
+        });
+    return comments;
+}
+
+TEST(Examples, KeepTheirCommentsWithWhatTheySpeakOf) {
+    for (const RepositoryFile& file : example_programs()) {
+        const SyntaxTree tree = parse(SourceText(file.text));
+        FormatOptions layout;
+        layout.line_length = 60;
+        layout.indent_width = 3;
+        EXPECT_EQ(attached(tree), attached(parse(SourceText(format(tree, layout))))) << file.path;
     }
 }
 

@@ -80,12 +80,28 @@ TEST(Formatter, KeepsBrokenBytes) {
     EXPECT_EQ(formatted(broken), broken);
 }
 
+[[nodiscard]] std::string repeated(std::string_view text, std::size_t count) {
+    std::string result;
+    for (std::size_t i = 0; i < count; ++i)
+        result += text;
+    return result;
+}
+
+// Squares of these numbers would take minutes.
 TEST(Formatter, TakesTimeInProportionToTheText) {
-    std::string text = "PROGRAM p\nx := ";
-    for (int i = 0; i < 100'000; ++i)
-        text += "a + (b) * ";
-    text += "c;\nEND_PROGRAM\n";
-    EXPECT_GT(formatted(text).size(), text.size() / 2);
+    constexpr std::size_t many = 100'000;
+    const auto program = [](const std::string& body) {
+        return "PROGRAM p " + body + " END_PROGRAM";
+    };
+    for (const std::string& text :
+         {program("x := " + repeated("a + (b) * ", many) + "c;"),
+          program(repeated("f(a, (* c *) b); (* d *) ", many)),
+          program("f(" + repeated("(* a *) ", many) + "b);"),
+          program(repeated("\n(* a *)", many) + repeated(" (* b *)", many) + " ;"),
+          program(repeated("x := 1 2; ", many)),
+          program("x := 'a" + repeated("\xC3\x84", many) + "';"),
+          repeated("TYPE t : INT; END_TYPE ", many)})
+        EXPECT_GT(formatted(text).size(), text.size() / 2);
 }
 
 } // namespace
