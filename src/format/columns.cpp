@@ -42,7 +42,7 @@ using Line = std::span<Piece>;
 [[nodiscard]] std::uint32_t end_of_code(Line line) noexcept {
     std::uint32_t end = 0;
     for (std::size_t i = 0; i < line.size() && !line[i].behind; ++i)
-        end = line[i].width + (line[i].has_line_ends() ? 0 : line[i].column);
+        end = line[i].width + (line[i].several_lines ? 0 : line[i].column);
     return end;
 }
 
@@ -79,7 +79,7 @@ struct Row {
 // One row, which the line behind it does not continue.
 [[nodiscard]] bool is_row(Line line, const Piece* next) noexcept {
     const Piece& first = line.front();
-    if (!first.row || std::ranges::any_of(line, &Piece::has_line_ends))
+    if (!first.row || std::ranges::any_of(line, &Piece::several_lines))
         return false;
     const bool alone = std::none_of(line.begin() + 1, line.end(), [&](const Piece& piece) {
         return piece.row && piece.brackets == first.brackets;

@@ -144,7 +144,7 @@ void LineBreaker::place(Piece& piece, const Piece* before, std::uint32_t chunk) 
     if (piece.begins_line)
         line_column_ = piece.column;
     if (!piece.behind)
-        column_ = piece.width + (piece.has_line_ends() ? 0 : piece.column);
+        column_ = piece.width + (piece.several_lines ? 0 : piece.column);
     if (expression_begins_ && !piece.is_comment()) {
         levels_.back().expression = piece.column;
         expression_begins_ = false;

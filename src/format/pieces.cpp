@@ -23,30 +23,39 @@ namespace {
     return count;
 }
 
-// Characters in the last line of `text`.
-[[nodiscard]] std::uint32_t width_of(std::string_view text, Encoding encoding) noexcept {
-    const std::size_t line_end = text.find_last_of("\r\n");
-    if (line_end != std::string_view::npos)
-        text.remove_prefix(line_end + 1);
-    if (encoding != Encoding::utf8)
-        return static_cast<std::uint32_t>(text.size());
-    return static_cast<std::uint32_t>(std::ranges::count_if(
-        text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+struct Extent {
+    std::uint32_t width = 0; // characters in the last line
+    bool several_lines = false;
+};
+
+[[nodiscard]] Extent extent_of(std::string_view text, Encoding encoding) noexcept {
+    // In UTF-8 the bytes behind the first one of a character are 10xxxxxx.
+    const bool utf8 = encoding == Encoding::utf8;
+    Extent extent;
+    for (const char c : text) {
+        if (c == '\n' || c == '\r')
+            extent = {0, true};
+        else if (!utf8 || (static_cast<unsigned char>(c) & 0xC0U) != 0x80U)
+            ++extent.width;
+    }
+    return extent;
 }
 
 /// Counts the columns of the source on the way from its beginning to its end.
 class ColumnCounter {
 public:
-    explicit ColumnCounter(const Unit& unit) : unit_(unit) {}
+    /// A byte order mark takes no column.
+    explicit ColumnCounter(const Unit& unit) : unit_(unit), offset_(leading_mark_size(unit)) {}
 
     /// Only forwards.
     void move_to(std::uint32_t offset) {
         const std::string_view way = unit_.text({offset_, offset});
-        if (way.find_first_of("\r\n") != std::string_view::npos) {
+        const Extent extent = extent_of(way, unit_.encoding());
+        if (extent.several_lines) {
             column_ = 0;
             behind_tab_ = false;
         }
-        column_ += width_of(way, unit_.encoding());
+        column_ += extent.width;
         behind_tab_ |= way.substr(way.find_last_of("\r\n") + 1).find('\t') != way.npos;
         offset_ = offset;
     }
@@ -59,7 +68,7 @@ public:
 
 private:
     const Unit& unit_;
-    std::uint32_t offset_ = 0;
+    std::uint32_t offset_;
     std::uint32_t column_ = 0;
     bool behind_tab_ = false;
 };
@@ -203,7 +212,9 @@ void Arranger::add_token(std::uint32_t token) {
 void Arranger::add(Piece piece, std::uint32_t token, TextRange range) {
     const std::uint32_t line_ends = std::max(line_ends_in(piece.gap), line_ends_left_out_);
     line_ends_left_out_ = 0;
-    piece.width = width_of(piece.text, unit_.encoding());
+    const Extent extent = extent_of(piece.text, unit_.encoding());
+    piece.width = extent.width;
+    piece.several_lines = extent.several_lines;
     piece.verbatim = in_broken_line(range.begin);
     piece.line_break = break_before(piece, token, line_ends);
     if (piece.line_break == Break::none && line_ends > 0 && !piece.is_comment())

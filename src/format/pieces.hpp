@@ -31,23 +31,21 @@ struct Piece {
     std::uint8_t rank = 0;                   ///< see `TokenLayout`
     TokenKind kind = TokenKind::end_of_unit; ///< end_of_unit for a comment or pragma
     Break line_break = Break::none;
-    bool space = false;      ///< a blank before it
-    bool blank_line = false; ///< an empty line above it
-    bool verbatim = false;   ///< written as it was read, with the gap before it
-    bool word = false;       ///< spelt as `KeywordCase` says
-    bool pragma = false;     ///< stands where it stands, and is not aligned
-    bool behind = false;     ///< a comment, or pragma, at the end of a line
-    bool row = false;        ///< see `TokenLayout`
-    std::int8_t stop = -1;   ///< see `TokenLayout`
+    bool several_lines = false; ///< a comment with line ends
+    bool space = false;         ///< a blank before it
+    bool blank_line = false;    ///< an empty line above it
+    bool verbatim = false;      ///< written as it was read, with the gap before it
+    bool word = false;          ///< spelt as `KeywordCase` says
+    bool pragma = false;        ///< stands where it stands, and is not aligned
+    bool behind = false;        ///< a comment, or pragma, at the end of a line
+    bool row = false;           ///< see `TokenLayout`
+    std::int8_t stop = -1;      ///< see `TokenLayout`
     Cell cell = Cell::none;
 
     bool begins_line = false; ///< a line end stands before it
     std::uint32_t spaces = 0; ///< blanks before it, in its line
     std::uint32_t column = 0; ///< where it begins
 
-    [[nodiscard]] bool has_line_ends() const noexcept {
-        return text.find_first_of("\r\n") != std::string_view::npos;
-    }
     static constexpr std::uint32_t no_column = 0xFFFF'FFFF;
 
     [[nodiscard]] bool is_comment() const noexcept { return kind == TokenKind::end_of_unit; }

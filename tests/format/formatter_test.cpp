@@ -52,6 +52,8 @@ TEST(Formatter, KeepsLineEnds) {
 TEST(Formatter, KeepsTheByteOrderMark) {
     EXPECT_EQ(formatted("\xEF\xBB\xBF\n TYPE a : INT; END_TYPE"),
               "\xEF\xBB\xBFTYPE\n    a : INT;\nEND_TYPE\n");
+    EXPECT_EQ(formatted("\xEF\xBB\xBFTYPE  (* a\nb *)\n    t : INT;\nEND_TYPE\n"),
+              "\xEF\xBB\xBFTYPE  (* a\nb *)\n    t : INT;\nEND_TYPE\n");
     EXPECT_EQ(formatted("\xEF\xBB\xBF"), "\xEF\xBB\xBF");
 }
 
