@@ -1282,6 +1282,79 @@ namespace {
     return prose;
 }
 
+// True when some line of the stretch ends in `;`, or is a closing word, as in code and not in
+// prose.
+[[nodiscard]] bool looks_like_code(std::string_view stretch) noexcept {
+    for (std::size_t at = stretch.find("END_"); at != std::string_view::npos;
+         at = stretch.find("END_", at + 1)) {
+        const std::size_t before = stretch.substr(0, at).find_last_not_of(" \t");
+        const std::size_t behind = stretch.find_first_of(" \t;\r\n", at);
+        const std::size_t next = stretch.find_first_not_of(" \t;", behind);
+        const bool first =
+            before == std::string_view::npos || stretch[before] == '\n' || stretch[before] == '\r';
+        const bool last =
+            next == std::string_view::npos || stretch[next] == '\n' || stretch[next] == '\r';
+        if (first && last && keyword_kind(stretch.substr(at, behind - at)) != TokenKind::identifier)
+            return true;
+    }
+    for (std::size_t at = stretch.find(';'); at != std::string_view::npos;
+         at = stretch.find(';', at + 1)) {
+        const std::size_t next = stretch.find_first_not_of(" \t", at + 1);
+        if (next == std::string_view::npos || stretch[next] == '\n' || stretch[next] == '\r')
+            return true;
+    }
+    return false;
+}
+
+// `FUNCTION f : INT`, `PROGRAM p`, `TYPE`: nothing but the head of a library element.
+[[nodiscard]] bool is_head(std::string_view line) noexcept {
+    const auto skip_blanks = [&line] {
+        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    };
+    const auto take_word = [&] {
+        skip_blanks();
+        const auto end = std::ranges::find_if_not(line, is_word_part);
+        const auto word = line.substr(0, static_cast<std::size_t>(end - line.begin()));
+        line.remove_prefix(word.size());
+        skip_blanks();
+        return word;
+    };
+    const auto begins_with = [&line](std::string_view mark) { return line.starts_with(mark); };
+    static constexpr std::array marks{":", ";", "(*", "//", "VAR"};
+    switch (keyword_kind(take_word())) {
+    case TokenKind::kw_type:
+        return line.empty() || begins_with("(*") || (!take_word().empty() && begins_with(":"));
+    case TokenKind::kw_function:
+    case TokenKind::kw_function_block:
+    case TokenKind::kw_program:
+    case TokenKind::kw_configuration: {
+        const std::string_view name = take_word();
+        return !name.empty() && keyword_kind(name) == TokenKind::identifier &&
+               (line.empty() || std::ranges::any_of(marks, begins_with));
+    }
+    default: return false;
+    }
+}
+
+// How much of the lines in `rest` stands before the head of a library element, when none of it
+// looks like code; npos otherwise.
+[[nodiscard]] std::size_t size_of_prose_before_head(std::string_view rest) noexcept {
+    constexpr int furthest = 200; // bounds the time that many unclosed comments take
+    std::size_t size = 0;
+    std::size_t at = 0;
+    for (int i = 0; i < furthest && at < rest.size(); ++i) {
+        const std::size_t end = std::min(rest.find_first_of("\r\n", at), rest.size());
+        const std::string_view line = rest.substr(at, end - at);
+        if (is_head(line))
+            return size;
+        if (line.find(":=") != line.npos || looks_like_code(line))
+            return std::string_view::npos;
+        size = line.find_first_not_of(" \t") != line.npos ? end : size;
+        at = end + 1;
+    }
+    return std::string_view::npos;
+}
+
 } // namespace
 
 // The same for a comment, which also gets the lines of prose that follow.
@@ -1289,6 +1362,9 @@ const char* Lexer::end_of_prose(const char* begin, std::string_view opening,
                                 std::string_view closing) {
     const char* end =
         end_of_first_line(begin, DiagnosticId::unterminated_comment, opening, closing);
+    const std::size_t before_head = size_of_prose_before_head(view(end, end_));
+    if (before_head != std::string_view::npos)
+        return end + before_head;
     const char* line_feed = line_feed_;
     for (const char* p = end; p != end_;) {
         const char* const line = p + (p[0] == '\r' && p[1] == '\n' ? 2 : 1);
@@ -1316,30 +1392,6 @@ namespace {
             return p;
     }
     return nullptr;
-}
-
-// True when some line of the stretch ends in `;`, or is a closing word, as in code and not in
-// prose.
-[[nodiscard]] bool looks_like_code(std::string_view stretch) noexcept {
-    for (std::size_t at = stretch.find("END_"); at != std::string_view::npos;
-         at = stretch.find("END_", at + 1)) {
-        const std::size_t before = stretch.substr(0, at).find_last_not_of(" \t");
-        const std::size_t behind = stretch.find_first_of(" \t;\r\n", at);
-        const std::size_t next = stretch.find_first_not_of(" \t;", behind);
-        const bool first =
-            before == std::string_view::npos || stretch[before] == '\n' || stretch[before] == '\r';
-        const bool last =
-            next == std::string_view::npos || stretch[next] == '\n' || stretch[next] == '\r';
-        if (first && last && keyword_kind(stretch.substr(at, behind - at)) != TokenKind::identifier)
-            return true;
-    }
-    for (std::size_t at = stretch.find(';'); at != std::string_view::npos;
-         at = stretch.find(';', at + 1)) {
-        const std::size_t next = stretch.find_first_not_of(" \t", at + 1);
-        if (next == std::string_view::npos || stretch[next] == '\n' || stretch[next] == '\r')
-            return true;
-    }
-    return false;
 }
 
 } // namespace
@@ -1407,7 +1459,11 @@ const char* Lexer::end_of_nested_comment(const char* begin, const char* inner,
         marks_.build(text_, offset(begin));
     const auto balanced_end = marks_.balanced_end(offset(begin));
     const char* const first_line_end = line_end(begin);
-    if (!balanced_end && first_line_end < inner && looks_like_code(view(first_line_end, inner)))
+    const bool code_follows =
+        first_line_end < inner &&
+        (looks_like_code(view(first_line_end, inner)) ||
+         size_of_prose_before_head(view(first_line_end, inner)) != std::string_view::npos);
+    if (!balanced_end && code_follows)
         return end_of_prose(begin, "(*", "*)");
     report(DiagnosticId::nested_comment, range(inner, inner + 2))
         .labels.push_back({range(begin, begin + 2), LabelId::comment_begin, {}});
