@@ -1337,17 +1337,19 @@ namespace {
 }
 
 // How much of the lines in `rest` stands before the head of a library element, when none of it
-// looks like code; npos otherwise.
+// looks like code or opens a comment; npos otherwise. So no line is looked at for two comments.
 [[nodiscard]] std::size_t size_of_prose_before_head(std::string_view rest) noexcept {
-    constexpr int furthest = 200; // bounds the time that many unclosed comments take
     std::size_t size = 0;
     std::size_t at = 0;
-    for (int i = 0; i < furthest && at < rest.size(); ++i) {
+    while (at < rest.size()) {
         const std::size_t end = std::min(rest.find_first_of("\r\n", at), rest.size());
         const std::string_view line = rest.substr(at, end - at);
         if (is_head(line))
             return size;
-        if (line.find(":=") != line.npos || looks_like_code(line))
+        for (const std::string_view mark : {":=", "(*", "/*"})
+            if (line.find(mark) != line.npos)
+                return std::string_view::npos;
+        if (looks_like_code(line))
             return std::string_view::npos;
         size = line.find_first_not_of(" \t") != line.npos ? end : size;
         at = end + 1;
