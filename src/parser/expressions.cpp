@@ -768,11 +768,7 @@ bool Parser::accept_missing_comma(bool named) {
 bool Parser::accept_semicolon_of_arguments(bool formal, std::optional<Report>& first) {
     if (!at(TokenKind::semicolon) || (!first && !semicolons_separate(formal)))
         return false;
-    if (!first)
-        first.emplace(report_unexpected("`,`").replace(token().range(), ","));
-    else if (*first)
-        diagnostics_[first->index()].fixes.front().edits.push_back({token().range(), ","});
-    advance();
+    take_semicolon_for_comma(first);
     return true;
 }
 

@@ -362,6 +362,7 @@ private:
     [[nodiscard]] bool at_bounds_as_real() const noexcept;
     bool accept_between_bounds();
     bool accept_semicolon_for_comma(TokenKind bracket, std::optional<Report>& first);
+    void take_semicolon_for_comma(std::optional<Report>& first);
     [[nodiscard]] bool list_closes_on_line(TokenKind bracket) const noexcept;
     const ast::TypeSpecification* parse_enumerated_specification();
     ast::List<ast::EnumeratedValueDeclaration> parse_enumerated_value_list();

@@ -1005,12 +1005,17 @@ void Parser::check_enumerated_value_names(std::uint32_t token) {
 bool Parser::accept_semicolon_for_comma(TokenKind bracket, std::optional<Report>& first) {
     if (!at(TokenKind::semicolon) || peek() == bracket || !list_closes_on_line(bracket))
         return false;
+    take_semicolon_for_comma(first);
+    return true;
+}
+
+/// Adds the `;` at the cursor to the report of the first one in its list.
+void Parser::take_semicolon_for_comma(std::optional<Report>& first) {
     if (!first)
         first.emplace(report_unexpected("`,`").replace(token().range(), ","));
     else if (*first)
         diagnostics_[first->index()].fixes.front().edits.push_back({token().range(), ","});
     advance();
-    return true;
 }
 
 /// True when nothing but elements of a list stand between the cursor and `bracket`.
