@@ -9,6 +9,7 @@
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/ast/token_classes.hpp>
 #include <iecfront/ast/visitor.hpp>
+#include <iecfront/builder/builder.hpp>
 #include <iecfront/compliance/annex_d.hpp>
 #include <iecfront/compliance/annex_e.hpp>
 #include <iecfront/compliance/dialects.hpp>

@@ -2,6 +2,7 @@
 
 #include "format/broken_lines.hpp"
 #include "format/columns.hpp"
+#include "format/line_end.hpp"
 #include "format/lines.hpp"
 
 #include <iecfront/ast/nodes.hpp>
@@ -43,43 +44,6 @@ void append_piece(std::string& out, const Piece& piece, KeywordCase keyword_case
         append_word(out, piece.text, keyword_case);
     else
         out += piece.text;
-}
-
-[[nodiscard]] std::string_view line_end_at(std::string_view text, std::size_t at) noexcept {
-    if (text[at] == '\n')
-        return "\n";
-    return at + 1 < text.size() && text[at + 1] == '\n' ? "\r\n" : "\r";
-}
-
-// The first line end behind `at` that no comment holds; the end of text when there is none.
-[[nodiscard]] std::size_t find_line_end(const Unit& unit, std::size_t at) {
-    const std::string_view text = unit.text();
-    at = text.find_first_of("\r\n", at);
-    for (const Trivia& trivia : unit.trivia())
-        if (at != std::string_view::npos && trivia.range.begin <= at && at < trivia.range.end)
-            at = text.find_first_of("\r\n", trivia.range.end);
-    return at;
-}
-
-[[nodiscard]] std::size_t begin_of_contents(const Unit& unit) {
-    std::size_t begin = unit.text().size();
-    if (!unit.tokens().empty())
-        begin = unit.tokens().front().offset();
-    if (!unit.trivia().empty())
-        begin = std::min<std::size_t>(begin, unit.trivia().front().range.begin);
-    return begin;
-}
-
-// What the first line ends in that is no empty one; LF when there is none.
-[[nodiscard]] std::string_view line_end_of(const SyntaxTree& tree) {
-    std::size_t begin = begin_of_contents(*tree.slots().front().unit);
-    for (const SyntaxTree::Slot& slot : tree.slots()) {
-        const std::size_t found = find_line_end(*slot.unit, begin);
-        if (found != std::string_view::npos)
-            return line_end_at(slot.unit->text(), found);
-        begin = 0;
-    }
-    return "\n";
 }
 
 // Extensions by which nothing is read in another way, wherever lines end.

@@ -1,3 +1,4 @@
+#include "format/comment_text.hpp"
 #include "format/unit_writer.hpp"
 
 #include <iecfront/format/writer.hpp>
@@ -58,23 +59,12 @@ void append_escape(std::string& out, std::uint16_t code, bool double_byte) {
     return out;
 }
 
-// Between `(*` and `*)`, in which neither may stand.
-[[nodiscard]] std::string as_comment(std::string_view content) {
-    std::string out = "(*";
-    for (const char c : content) {
-        if ((c == ')' && out.back() == '*' && out.size() > 2) || (c == '*' && out.back() == '('))
-            out += ' ';
-        out += c;
-    }
-    return out + "*)";
-}
-
 // `// x` and `/* x */` as `(* x *)`.
 [[nodiscard]] std::string in_standard_form(Trivia trivia, std::string_view text) {
     text.remove_prefix(2);
     if (trivia.kind == TriviaKind::c_comment)
-        return as_comment(text.substr(0, text.size() - (text.ends_with("*/") ? 2 : 0)));
-    return as_comment(std::string(text.substr(0, text.find_last_not_of(" \t") + 1)) + ' ');
+        return layout::as_comment(text.substr(0, text.size() - (text.ends_with("*/") ? 2 : 0)));
+    return layout::as_comment(std::string(text.substr(0, text.find_last_not_of(" \t") + 1)) + ' ');
 }
 
 /// What ISO 646 makes of the text of one unit.

@@ -31,6 +31,51 @@ TEST(Embedding, Parse) {
     EXPECT_EQ(tree.diagnostics().size(), 1U); // no `;` behind END_FOR
 }
 
+namespace build = iecfront::build;
+
+TEST(Embedding, Build) {
+    build::Expression next =
+        build::binary_expression(iecfront::ast::BinaryOperator::add, build::variable_name("count"),
+                                 build::integer_literal(1));
+    build::Statement step = build::assignment_statement(build::variable_name("count"), next);
+    build::Statement loop =
+        build::while_statement(build::variable_name("running"), build::statement_list({step}));
+
+    EXPECT_EQ(loop.text(), "WHILE running DO\n    count := count + 1;\nEND_WHILE");
+
+    std::optional<iecfront::SyntaxTree> tree = build::library(
+        {build::function_declaration(
+            "Twice", build::elementary_type_name("INT"),
+            {build::variable_declarations(
+                iecfront::ast::VariableBlock::var_input,
+                {build::variable_declaration({"x"}, build::elementary_type_name("INT"))})},
+            build::statement_list({build::assignment_statement(
+                build::variable_name("Twice"),
+                build::binary_expression(iecfront::ast::BinaryOperator::multiply,
+                                         build::integer_literal(2), build::variable_name("x")))}))},
+        "twice.st");
+
+    EXPECT_TRUE(tree && tree->diagnostics().empty());
+}
+
+TEST(Embedding, Change) {
+    iecfront::SyntaxTree before = iecfront::parse(iecfront::SourceText(example));
+    const iecfront::SyntaxTree::Slot& slot = before.slots()[0];
+    const iecfront::Unit& unit = *slot.unit;
+    const auto* loop = before.node_at(before.offset({5, 9})).find<iecfront::ast::ForStatement>();
+
+    build::Changes changes(before);
+    changes.replace(slot, *loop->to,
+                    build::binary_expression(iecfront::ast::BinaryOperator::subtract,
+                                             build::copy(unit, *loop->to),
+                                             build::integer_literal(1)));
+    changes.append(slot, *loop->statements, build::exit_statement());
+    std::optional<iecfront::SyntaxTree> after = changes.tree();
+
+    EXPECT_NE(after->source().bytes().find("TO final - 1 DO\n        EXIT;\n"),
+              std::string_view::npos);
+}
+
 TEST(Embedding, Keep) {
     std::shared_ptr<const iecfront::Unit> kept;
     const iecfront::ast::LibraryUnit* root = nullptr;

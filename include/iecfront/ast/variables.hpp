@@ -172,12 +172,13 @@ struct ArrayVariable : Expression {
     }
 };
 
-/// `variable.field` (B.1.4.2). A bit (`x.3`, an extension) has an `IntegerLiteral` as its selector.
+/// `variable.field` (B.1.4.2). A bit (`x.3`, an extension) has an `IntegerLiteral` as its selector,
+/// and a place in an access path (`resource.%IX1.0`, B.1.7) a `DirectVariable`.
 struct StructuredVariable : Expression {
     static constexpr NodeKind node_kind = NodeKind::structured_variable;
     StructuredVariable() noexcept : Expression(node_kind) {}
     const Expression* record_variable = nullptr;
-    const Node* field_selector = nullptr; ///< `Identifier`, or `IntegerLiteral`
+    const Node* field_selector = nullptr; ///< `Identifier`, or one of these
 
     static constexpr auto members() {
         return std::tuple{

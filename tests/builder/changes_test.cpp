@@ -1,0 +1,243 @@
+#include "support/repository_files.hpp"
+
+#include <iecfront/ast/visitor.hpp>
+#include <iecfront/builder/builder.hpp>
+#include <iecfront/parser/parse.hpp>
+
+#include <gtest/gtest.h>
+#include <vector>
+
+// Changes to trees: what stands where afterwards, and what stays shared.
+
+namespace iecfront::test {
+namespace {
+
+using namespace build;
+
+constexpr std::string_view program = "PROGRAM Main\n"
+                                     "    VAR\n"
+                                     "        a : INT; // first\n"
+                                     "        (* the second *)\n"
+                                     "        b : INT;\n"
+                                     "    END_VAR\n"
+                                     "    a := b * 2; (* so *)\n"
+                                     "    IF a > b THEN\n"
+                                     "        f(x := a, y := b);\n"
+                                     "    END_IF;\n"
+                                     "END_PROGRAM\n";
+
+[[nodiscard]] SyntaxTree tree_of(std::string_view text, Encoding encoding = Encoding::utf8) {
+    return parse(SourceText(std::string(text), {}, encoding));
+}
+
+// The first node that is a `T`, beginning at a line and column.
+template<class T>
+[[nodiscard]] const T& node_at(const SyntaxTree& tree, Position position) {
+    const T* found = tree.node_at(tree.offset(position)).find<T>();
+    EXPECT_NE(found, nullptr);
+    return *found;
+}
+
+// `program` with one stretch of it replaced.
+[[nodiscard]] std::string program_with(std::string_view old, std::string_view replacement) {
+    std::string text(program);
+    return text.replace(text.find(old), old.size(), replacement);
+}
+
+void expect_text(const Changes& changes, std::string_view text) {
+    EXPECT_EQ(changes.fault(), "");
+    const std::optional<SyntaxTree> tree = changes.tree();
+    ASSERT_TRUE(tree.has_value());
+    EXPECT_EQ(tree->source().bytes(), text);
+    EXPECT_EQ(*tree, parse(tree->source())) << "edited is fresh";
+}
+
+/// The program, its tree, and changes to it.
+class ChangesToAProgram : public testing::Test {
+protected:
+    template<class T>
+    [[nodiscard]] const T& at(std::uint32_t line, std::uint32_t column) const {
+        return node_at<T>(tree_, {line, column});
+    }
+
+    const SyntaxTree tree_ = tree_of(program);
+    const SyntaxTree::Slot& slot_ = tree_.slots()[0];
+    Changes changes_{tree_};
+    const Expression a_ = variable_name("a");
+    const Statement call_ = fb_invocation("g", {});
+};
+
+TEST_F(ChangesToAProgram, ReplaceAnOperand) {
+    changes_.replace(slot_, at<ast::VariableName>(7, 10),
+                     binary_expression(ast::BinaryOperator::add, a_, integer_literal(1)));
+    expect_text(changes_, program_with("b * 2", "(a + 1) * 2"));
+}
+
+TEST_F(ChangesToAProgram, ReplaceStatementsTypesAndNames) {
+    changes_.replace(slot_, at<ast::AssignmentStatement>(7, 5),
+                     if_statement(a_, statement_list({call_})));
+    changes_.replace(slot_, at<ast::ElementaryTypeName>(5, 13), derived_type_name("Speed"));
+    changes_.replace(slot_, at<ast::InputArgument>(9, 19), output_argument("z", a_));
+    std::string text = program_with("a := b * 2;", "IF a THEN\n        g();\n    END_IF;");
+    text.replace(text.find("b : INT"), 7, "b : Speed");
+    text.replace(text.find("y := b"), 6, "z => a");
+    expect_text(changes_, text);
+}
+
+TEST_F(ChangesToAProgram, InsertBeforeWithTheCommentsAbove) {
+    changes_.insert_before(slot_, at<ast::VariableDeclaration>(5, 9),
+                           variable_declaration({"c"}, elementary_type_name("BOOL")));
+    expect_text(changes_, program_with("        (* the", "        c : BOOL;\n        (* the"));
+}
+
+TEST_F(ChangesToAProgram, InsertAfterWithTheCommentsBehind) {
+    changes_.insert_after(slot_, at<ast::AssignmentStatement>(7, 5), call_);
+    changes_.insert_after(slot_, at<ast::AssignmentStatement>(7, 5), exit_statement());
+    changes_.insert_after(slot_, at<ast::VariableDeclaration>(3, 9),
+                          variable_declaration({"c"}, elementary_type_name("BOOL")));
+    std::string text = program_with("(* so *)\n", "(* so *)\n    g();\n    EXIT;\n");
+    text.replace(text.find("// first\n"), 9, "// first\n        c : BOOL;\n");
+    expect_text(changes_, text);
+}
+
+TEST_F(ChangesToAProgram, InsertArguments) {
+    const auto& x = at<ast::InputArgument>(9, 11);
+    changes_.insert_before(slot_, x, input_argument("u", a_));
+    changes_.insert_after(slot_, x, input_argument("v", a_));
+    expect_text(changes_, program_with("x := a,", "u := a, x := a, v := a,"));
+}
+
+TEST_F(ChangesToAProgram, Append) {
+    changes_.append(slot_, *at<ast::IfStatement>(8, 5).then_list, call_);
+    changes_.append(slot_, at<ast::VariableDeclarations>(2, 5),
+                    variable_declaration({"c"}, elementary_type_name("BOOL")));
+    changes_.append(slot_, at<ast::ProgramDeclaration>(1, 1),
+                    variable_declarations(ast::VariableBlock::var_temp,
+                                          {variable_declaration({"t"}, derived_type_name("T1"))}));
+    std::string text = program_with("y := b);\n", "y := b);\n        g();\n");
+    text.replace(text.find("END_VAR\n"), 8,
+                 "END_VAR\n    VAR_TEMP\n        t : T1;\n    END_VAR\n");
+    text.replace(text.find("b : INT;\n"), 9, "b : INT;\n        c : BOOL;\n");
+    expect_text(changes_, text);
+}
+
+TEST_F(ChangesToAProgram, Remove) {
+    changes_.remove(slot_, at<ast::VariableDeclaration>(5, 9));
+    changes_.remove(slot_, at<ast::InputArgument>(9, 11));
+    std::string text = program_with("        b : INT;\n", "");
+    text.replace(text.find("x := a, "), 8, "");
+    expect_text(changes_, text);
+}
+
+TEST_F(ChangesToAProgram, RemoveTheLastOfAList) {
+    changes_.remove(slot_, at<ast::InputArgument>(9, 19));
+    expect_text(changes_, program_with(", y := b", ""));
+}
+
+TEST_F(ChangesToAProgram, RemoveTheOnlyStatement) {
+    changes_.remove(slot_, at<ast::FbInvocation>(9, 9));
+    expect_text(changes_, program_with("f(x := a, y := b);", ";"));
+}
+
+TEST_F(ChangesToAProgram, KeepTheirPlaces) {
+    const auto& statement = at<ast::AssignmentStatement>(7, 5);
+    changes_.replace(slot_, statement, call_);
+    changes_.insert_before(slot_, statement, exit_statement());
+    expect_text(changes_, program_with("a := b * 2", "EXIT;\n    g()"));
+}
+
+TEST_F(ChangesToAProgram, AreRefusedWithAFault) {
+    changes_.replace(slot_, at<ast::AssignmentStatement>(7, 5), fb_invocation("IF", {}));
+    EXPECT_EQ(changes_.fault(), "`IF` is no identifier");
+    EXPECT_FALSE(changes_.tree().has_value());
+}
+
+TEST_F(ChangesToAProgram, AreRefusedWhenTheyOverlap) {
+    changes_.replace(slot_, at<ast::AssignmentStatement>(7, 5), call_);
+    EXPECT_EQ(changes_.fault(), "");
+    changes_.remove(slot_, at<ast::AssignmentStatement>(7, 5));
+    EXPECT_EQ(changes_.fault(), "two changes are of the same place");
+    EXPECT_FALSE(changes_.tree().has_value());
+}
+
+TEST_F(ChangesToAProgram, AreEditsAsWell) {
+    changes_.remove(slot_, at<ast::FbInvocation>(9, 9));
+    changes_.replace(slot_, at<ast::VariableName>(7, 10), a_);
+    EXPECT_EQ(apply_edits(program, changes_.edits()), changes_.tree()->source().bytes());
+}
+
+// An empty list, a list of an empty statement, a program without blocks.
+TEST(Changes, FillWhatIsEmpty) {
+    const SyntaxTree tree = tree_of("PROGRAM p\n    IF a THEN ; END_IF;\nEND_PROGRAM\n");
+    const SyntaxTree::Slot& slot = tree.slots()[0];
+    Changes changes(tree);
+    changes.append(slot, *node_at<ast::IfStatement>(tree, {2, 5}).then_list, exit_statement());
+    changes.append(
+        slot, node_at<ast::ProgramDeclaration>(tree, {1, 1}),
+        variable_declarations(ast::VariableBlock::var,
+                              {variable_declaration({"a"}, elementary_type_name("BOOL"))}));
+    expect_text(changes, "PROGRAM p\n    VAR\n        a : BOOL;\n    END_VAR\n"
+                         "    IF a THEN EXIT; END_IF;\nEND_PROGRAM\n");
+}
+
+TEST(Changes, TakeTheBlockOfTheOnlyDeclaration) {
+    const SyntaxTree tree =
+        tree_of("FUNCTION f : INT\n    VAR_INPUT\n        a : INT;\n    END_VAR\n    f := 1;\n"
+                "END_FUNCTION\n");
+    Changes changes(tree);
+    changes.remove(tree.slots()[0], node_at<ast::VariableDeclaration>(tree, {3, 9}));
+    expect_text(changes, "FUNCTION f : INT\n    f := 1;\nEND_FUNCTION\n");
+}
+
+TEST(Changes, KeepLineEndsAndEncoding) {
+    const SyntaxTree tree =
+        tree_of("PROGRAM p\r\n    a := 1;\r\nEND_PROGRAM\r\n", Encoding::windows_1252);
+    const auto& statement = node_at<ast::AssignmentStatement>(tree, {2, 5});
+    Changes changes(tree);
+    changes.insert_after(tree.slots()[0], statement,
+                         commented(exit_statement(), "10 \xE2\x82\xAC"));
+    expect_text(changes, "PROGRAM p\r\n    a := 1;\r\n    (* 10 \x80 *)\r\n    EXIT;\r\n"
+                         "END_PROGRAM\r\n");
+    changes.insert_before(tree.slots()[0], statement,
+                          commented(exit_statement(), "\xE2\x82\xAC \xCE\xA9"));
+    EXPECT_EQ(changes.fault(), "a character is not in the encoding of the tree");
+}
+
+// Library elements stand apart, and units that nothing touches are those of the old tree.
+TEST(Changes, ShareUnits) {
+    const SyntaxTree tree =
+        tree_of("PROGRAM a\n    ;;;;;;;;\nEND_PROGRAM\n\nPROGRAM b\n    ;;;;;;;;\n"
+                "END_PROGRAM\n\nPROGRAM c\n    ;\nEND_PROGRAM\n");
+    Changes changes(tree);
+    changes.insert_before(tree.slots()[2], node_at<ast::ProgramDeclaration>(tree, {9, 1}),
+                          program_declaration("d", {}, statement_list({})));
+    expect_text(changes,
+                "PROGRAM a\n    ;;;;;;;;\nEND_PROGRAM\n\nPROGRAM b\n    ;;;;;;;;\nEND_PROGRAM\n\n"
+                "PROGRAM d\n    ;\nEND_PROGRAM\n\nPROGRAM c\n    ;\nEND_PROGRAM\n");
+    EXPECT_EQ(changes.tree()->slots()[0].unit, tree.slots()[0].unit);
+    EXPECT_EQ(changes.tree()->slots().size(), 4U);
+}
+
+// A copy in the place of what it is a copy of changes nothing but layout.
+TEST(Changes, PutCopiesInTheirPlaces) {
+    for (const RepositoryFile& file : example_programs()) {
+        const SyntaxTree tree = parse(SourceText(file.text));
+        for (const SyntaxTree::Slot& slot : tree.slots())
+            ast::walk(slot.unit->root(), [&](const ast::Node& node) {
+                Changes changes(tree);
+                if (const auto* expression = ast::as<ast::Expression>(&node))
+                    changes.replace(slot, *expression, copy(*slot.unit, *expression));
+                else if (const auto* statement = ast::as<ast::Statement>(&node))
+                    changes.replace(slot, *statement, copy(*slot.unit, *statement));
+                else
+                    return ast::Walk::into;
+                const bool whole = changes.fault().empty();
+                EXPECT_TRUE(!whole || apply_edits(file.text, changes.edits()) == file.text)
+                    << file.path << ": " << slot.unit->text(node);
+                return ast::Walk::into;
+            });
+    }
+}
+
+} // namespace
+} // namespace iecfront::test
