@@ -4,6 +4,7 @@
 #include <iecfront/ast/attached_comments.hpp>
 #include <iecfront/ast/visitor.hpp>
 #include <iecfront/builder/changes.hpp>
+#include <iecfront/lexer/name.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -134,6 +135,31 @@ using Slot = SyntaxTree::Slot;
         out += static_cast<char>(byte);
         i += character.size;
     }
+    return out;
+}
+
+[[nodiscard]] bool is_in_word(char c) noexcept {
+    return (fold(c) >= 'A' && fold(c) <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+}
+
+// True when the two would be one token, or taken for one.
+[[nodiscard]] bool run_together(char left, char right) noexcept {
+    if (left == '-')
+        return right == '-';
+    return is_in_word(left) && (is_in_word(right) || right == '\'' || right == '"');
+}
+
+// With a blank where it would run together with what stands beside `range`.
+[[nodiscard]] std::string set_apart(std::string_view text, TextRange range,
+                                    std::string_view replacement) {
+    std::string out(replacement);
+    if (out.empty())
+        return out;
+    if (range.begin > 0 && run_together(text[range.begin - 1], out.front()))
+        out.insert(0, 1, ' ');
+    if (range.end < text.size() && run_together(out.back(), text[range.end]))
+        out += ' ';
     return out;
 }
 
@@ -294,7 +320,8 @@ void Changes::remove_line(const Slot& slot, TextRange range) {
 // ---- what comes of it --------------------------------------------------------------------------
 
 void Changes::edit(const Slot& slot, TextRange range, std::string_view replacement) {
-    const std::string text = with_line_ends(replacement, layout::line_end_of(tree_));
+    const std::string apart = set_apart(slot.unit->text(), range, replacement);
+    const std::string text = with_line_ends(apart, layout::line_end_of(tree_));
     const std::optional<std::string> bytes = encoded(text, tree_.encoding());
     if (!bytes && fault_.empty())
         fault_ = "a character is not in the encoding of the tree";

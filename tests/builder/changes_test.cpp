@@ -203,6 +203,19 @@ TEST(Changes, KeepLineEndsAndEncoding) {
     EXPECT_EQ(changes.fault(), "a character is not in the encoding of the tree");
 }
 
+// What a bracket or a sign kept apart stays apart.
+TEST(Changes, RunNothingTogether) {
+    const SyntaxTree tree = tree_of("PROGRAM p\n    IF NOT(a)OR b THEN; END_IF;\n"
+                                    "    a := b -c;\nEND_PROGRAM\n");
+    Changes changes(tree);
+    const SyntaxTree::Slot& slot = tree.slots()[0];
+    changes.replace(slot, node_at<ast::ParenthesizedExpression>(tree, {2, 11}), variable_name("a"));
+    changes.replace(slot, node_at<ast::VariableName>(tree, {3, 13}), integer_literal(-5));
+    changes.append(slot, *node_at<ast::IfStatement>(tree, {2, 5}).then_list, exit_statement());
+    expect_text(changes, "PROGRAM p\n    IF NOT a OR b THEN EXIT; END_IF;\n"
+                         "    a := b - -5;\nEND_PROGRAM\n");
+}
+
 // Library elements stand apart, and units that nothing touches are those of the old tree.
 TEST(Changes, ShareUnits) {
     const SyntaxTree tree =
