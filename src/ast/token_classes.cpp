@@ -86,6 +86,7 @@ constexpr std::array<std::string_view, 24> class_names = {"keyword",
     case TokenKind::date:
     case TokenKind::date_and_time: return TokenClass::time;
     case TokenKind::direct_variable:
+    case TokenKind::part_selector:
     case TokenKind::incomplete_location: return TokenClass::direct_variable;
     default: return TokenClass::unknown;
     }
@@ -99,6 +100,8 @@ constexpr std::array<std::string_view, 24> class_names = {"keyword",
             part = field->record_variable;
         else if (const auto* element = ast::as<ast::ArrayVariable>(part))
             part = element->subscripted_variable;
+        else if (const auto* target = ast::as<ast::DereferencedVariable>(part))
+            part = target->reference;
         else
             return part->kind == ast::NodeKind::variable_name ? part : nullptr;
     }

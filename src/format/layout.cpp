@@ -21,6 +21,7 @@ constexpr std::int32_t operand_column = 6;
     case TokenKind::right_parenthesis:
     case TokenKind::right_bracket:
     case TokenKind::dot:
+    case TokenKind::caret:
     case TokenKind::dot_dot: return true;
     default: return false;
     }

@@ -21,6 +21,7 @@ enum class CharacterClass : std::uint8_t {
     bar,
     brace_left,
     brace_right,
+    caret,
     colon,
     dot,
     equal,
@@ -55,6 +56,7 @@ namespace characters {
     table['|'] = bar;
     table['{'] = brace_left;
     table['}'] = brace_right;
+    table['^'] = caret;
     table[':'] = colon;
     table['.'] = dot;
     table['='] = equal;

@@ -78,6 +78,7 @@ private:
     const char* number_before_keyword(TokenKind kind, const char* begin, const char* end);
     [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;
     const char* string(const char* begin);
+    const char* part_selector(const char* begin);
     const char* location(const char* begin);
     [[nodiscard]] const char* end_behind_inner_quote(const char* end);
     const char* unclosed_string(const char* begin, const char* end);
@@ -86,6 +87,7 @@ private:
     const char* dot(const char* begin);
     const char* slash(const char* begin);
     const char* star(const char* begin);
+    const char* caret(const char* begin);
     const char* left_parenthesis(const char* begin);
     const char* comment(const char* begin);
     const char* line_comment(const char* begin);
@@ -225,6 +227,7 @@ LexedText Lexer::run(bool at_file_start) {
             break;
         case CharacterClass::brace_left: p = pragma(p); break;
         case CharacterClass::brace_right: p = stray_pragma_end(p); break;
+        case CharacterClass::caret: p = caret(p); break;
         case CharacterClass::colon: p = either(p, '=', TokenKind::assign, TokenKind::colon); break;
         case CharacterClass::dot: p = dot(p); break;
         case CharacterClass::equal:
@@ -1103,9 +1106,22 @@ const char* Lexer::end_behind_inner_quote(const char* end) {
     return whole_end;
 }
 
+// `%X3` behind the point of `x.%X3`. Null when it is none.
+const char* Lexer::part_selector(const char* begin) {
+    constexpr std::string_view sizes = "XBWDL";
+    if (!has_tokens() || last_token().kind() != TokenKind::dot ||
+        sizes.find(fold(begin[1])) == std::string_view::npos || !is_digit(begin[2]))
+        return nullptr;
+    const char* const end = std::find_if_not(begin + 2, end_, is_digit);
+    emit_any(TokenKind::part_selector, begin, end);
+    return end;
+}
+
 const char* Lexer::location(const char* begin) {
     if (const char* const behind = operator_of_other_language(begin))
         return behind;
+    if (const char* const part_end = part_selector(begin))
+        return part_end;
     const char* const end = extents_.location_end(begin + 1);
     const char* const rest = Extents::gap_end(end);
     const TextRange gap = range(end, rest);
@@ -1135,7 +1151,7 @@ bool Lexer::ends_operand(Token token, const char* next) const {
     if (is_keyword(kind)) // meant as a name when the point adjoins: `step.5`
         return token.end() == offset(next);
     return kind == TokenKind::right_parenthesis || kind == TokenKind::right_bracket ||
-           kind >= TokenKind::identifier;
+           kind == TokenKind::caret || kind >= TokenKind::identifier;
 }
 
 const char* Lexer::dot(const char* begin) {
@@ -1178,6 +1194,17 @@ const char* Lexer::star(const char* begin) {
     add_replacement(report(DiagnosticId::stray_comment_end, where), where);
     emit(TokenKind::unknown, begin, begin + 2, true);
     return begin + 2;
+}
+
+// `p^`, and `a ^ b` for a power. Else it has no meaning.
+const char* Lexer::caret(const char* begin) {
+    if (!has_tokens())
+        return unexpected(begin);
+    const TokenKind before = last_token().kind();
+    const bool member = before == TokenKind::kw_en || before == TokenKind::kw_eno; // `t.ENO^`
+    const bool operand =
+        !is_keyword(before) && before != TokenKind::unknown && ends_operand(last_token(), begin);
+    return member || operand ? delimiter(TokenKind::caret, begin, 1) : unexpected(begin);
 }
 
 // ---- comments and pragmas ----------------------------------------------------------------------
@@ -1713,10 +1740,10 @@ const char* Lexer::unexpected(const char* begin) {
     const char* p = begin;
     for (;;) {
         const CharacterClass found = class_of(*p);
-        const bool belongs = found == CharacterClass::unexpected ||
-                             (found == CharacterClass::zero && p != end_) ||
-                             (found == CharacterClass::bar && p[1] != '|') ||
-                             (found == CharacterClass::exclamation && p[1] != '=');
+        const bool belongs =
+            found == CharacterClass::unexpected || (found == CharacterClass::zero && p != end_) ||
+            found == CharacterClass::caret || (found == CharacterClass::bar && p[1] != '|') ||
+            (found == CharacterClass::exclamation && p[1] != '=');
         if (belongs)
             ++p;
         else if (found == CharacterClass::non_ascii &&

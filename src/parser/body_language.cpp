@@ -79,7 +79,9 @@ Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const n
     const std::uint32_t second = next(index);
     const bool alone =
         tokens_[second].first_on_line() || tokens_[second].kind() == TokenKind::semicolon;
-    const bool operand = !alone && begins_operand(tokens_[second].kind());
+    const bool assigns = tokens_[next(second)].kind() == TokenKind::equal &&
+                         names_equal(text(second), "REF"); // `r REF= x`
+    const bool operand = !alone && !assigns && begins_operand(tokens_[second].kind());
     const bool sign = tokens_[second].kind() == TokenKind::minus && !alone;
     const bool common = common_operators.contains(tokens_[index].kind());
     if (!common && tokens_[index].kind() != TokenKind::identifier)

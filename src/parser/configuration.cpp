@@ -64,6 +64,8 @@ PathForm form_of(const ast::Expression& path) noexcept {
             part = element->subscripted_variable;
             form.begins_with_member = false;
             form.subscripts = true;
+        } else if (const auto* target = ast::as<ast::DereferencedVariable>(part)) {
+            part = target->reference;
         } else {
             form.call = part->kind == ast::NodeKind::function_call;
             return form;

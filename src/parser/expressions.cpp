@@ -150,6 +150,8 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
         OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
         if (at(TokenKind::identifier))
             row = operator_of_other_languages(text(at_), begins_operand_on_line(next(at_)));
+        else if (at_caret_for_power())
+            row = {8, ast::BinaryOperator::power, "**"};
         const bool assign = in_condition_ && at(TokenKind::assign);
         const TokenKind split = in_condition_ && at(TokenKind::output_arrow)
                                     ? TokenKind::greater_equal
@@ -338,6 +340,8 @@ const ast::Expression* Parser::check_function_call(const ast::Expression* operan
     const auto* call = ast::as<ast::FunctionCall>(operand);
     if (call == nullptr)
         return operand;
+    if (call->function->kind == ast::NodeKind::dereferenced_variable)
+        return operand; // which was reported
     if (call->function->kind != ast::NodeKind::variable_name)
         report_call_of_member(*call->function);
     else if (!call->arguments.empty())
@@ -364,6 +368,8 @@ bool Parser::at_assignment_on_new_line() const noexcept {
         return false;
     if (peek() == TokenKind::colon)
         return true;
+    static constexpr TokenSet inside_variable{TokenKind::dot, TokenKind::identifier,
+                                              TokenKind::caret, TokenKind::part_selector};
     std::uint32_t depth = 0; // of brackets
     std::uint32_t steps = 0;
     for (std::uint32_t i = next(at_);
@@ -374,7 +380,7 @@ bool Parser::at_assignment_on_new_line() const noexcept {
             ++depth;
         else if (here == TokenKind::right_bracket && depth > 0)
             --depth;
-        else if (depth == 0 && here != TokenKind::dot && here != TokenKind::identifier)
+        else if (depth == 0 && !inside_variable.contains(here))
             return here == TokenKind::assign && (!in_condition_ || statement_ends(i));
     }
     return false;
@@ -515,6 +521,11 @@ const ast::Expression* Parser::parse_selectors(const ast::Expression* head) {
         case TokenKind::left_bracket: head = parse_subscripts(head); break;
         case TokenKind::dot: head = parse_field(head); break;
         case TokenKind::left_parenthesis: head = parse_call(head); break;
+        case TokenKind::caret:
+            if (!at_dereference())
+                return head;
+            head = parse_dereference(head);
+            break;
         case TokenKind::dot_dot:
             if (!at_doubled_dot())
                 return head;
@@ -535,6 +546,38 @@ const ast::Expression* Parser::parse_selectors(const ast::Expression* head) {
         default: return head;
         }
     }
+}
+
+/// At `^` behind a variable: false when it stands for an operator, as in `a ^ 2`.
+bool Parser::at_dereference() const noexcept {
+    const std::uint32_t behind = next(at_);
+    if (tokens_[behind].kind() == TokenKind::left_parenthesis)
+        return adjoins_next() && at_ > 0 && tokens_[at_ - 1].end() == token().offset();
+    return !begins_operand_on_line(behind) ||
+           operator_of_other_languages(text(behind), begins_operand_on_line(next(behind)))
+                   .strength > 0;
+}
+
+/// In place of structured_variable: `p^`, what the reference refers to.
+const ast::Expression* Parser::parse_dereference(const ast::Expression* reference) {
+    if (has_no_parts(*reference))
+        report_reserved_word(reference->first_token);
+    else
+        report_at(at_, DiagnosticId::dereference);
+    auto* node = make_from<ast::DereferencedVariable>(reference);
+    advance();
+    node->reference = reference;
+    return finish(node);
+}
+
+/// `a ^ 2`, the power of other languages.
+bool Parser::at_caret_for_power() const noexcept {
+    static constexpr TokenSet others{TokenKind::left_parenthesis, TokenKind::minus,
+                                     TokenKind::plus};
+    const std::uint32_t behind = next(at_);
+    return at(TokenKind::caret) &&
+           (begins_operand_on_line(behind) ||
+            (others.contains(tokens_[behind].kind()) && !tokens_[behind].first_on_line()));
 }
 
 /// `a->b`
@@ -612,8 +655,10 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
     advance();
     node->record_variable = head;
     if (at(TokenKind::integer)) {
-        report_at(at_, DiagnosticId::bit_access, {std::string(text(at_))});
+        report_at(at_, DiagnosticId::bit_access, {"bit " + std::string(text(at_))});
         node->field_selector = parse_constant();
+    } else if (at(TokenKind::part_selector)) {
+        node->field_selector = parse_part_selector();
     } else if (token().first_on_line() && peek() == TokenKind::assign &&
                follows_operator(head->first_token)) {
         node->field_selector = make_missing_identifier("a name after `.`");
@@ -627,10 +672,31 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
     return finish(node);
 }
 
+/// In place of field_selector: `%X3`.
+const ast::PartSelector* Parser::parse_part_selector() {
+    const std::string_view words = text(at_); // `%`, a letter, and a number
+    const char* part = "long word ";
+    switch (fold(words[1])) {
+    case 'X': part = "bit "; break;
+    case 'B': part = "byte "; break;
+    case 'W': part = "word "; break;
+    case 'D': part = "double word "; break;
+    default: break;
+    }
+    report_at(at_, DiagnosticId::bit_access, {part + std::string(words.substr(2))});
+    auto* node = make<ast::PartSelector>();
+    advance();
+    return finish(node);
+}
+
 /// EN and ENO have no parts, and are nothing that is called (6.1 D24).
+bool Parser::has_no_parts(const ast::Expression& variable) const noexcept {
+    return variable.kind == ast::NodeKind::variable_name &&
+           execution_control.contains(tokens_[variable.first_token].kind());
+}
+
 void Parser::check_has_parts(const ast::Expression& variable) {
-    if (variable.kind == ast::NodeKind::variable_name &&
-        execution_control.contains(tokens_[variable.first_token].kind()))
+    if (has_no_parts(variable))
         report_reserved_word(variable.first_token);
 }
 

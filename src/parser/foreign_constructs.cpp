@@ -31,7 +31,8 @@ constexpr std::array members = {
 constexpr std::array<std::string_view, 6> modifiers = {"ABSTRACT", "FINAL",    "PUBLIC",
                                                        "PRIVATE",  "INTERNAL", "PROTECTED"};
 
-constexpr std::array<std::string_view, 2> heritage = {"EXTENDS", "IMPLEMENTS"};
+/// Clauses behind the name of a program organization unit.
+constexpr std::array<std::string_view, 3> clauses = {"EXTENDS", "IMPLEMENTS", "USING"};
 
 [[nodiscard]] const Member* find_member(std::string_view word) noexcept {
     const auto* const found =
@@ -95,13 +96,66 @@ void Parser::accept_foreign_modifiers() {
     }
 }
 
-/// At `EXTENDS base` or `IMPLEMENTS interface` behind the name of a program organization unit:
-/// reports it.
-bool Parser::report_foreign_heritage() {
-    if (!at(TokenKind::identifier) || token().first_on_line() || !is_one_of(heritage, text(at_)))
-        return false;
+/// `EXTENDS base`, `IMPLEMENTS interface` or `USING namespace` behind the name of a program
+/// organization unit, also on the next line.
+bool Parser::at_foreign_clause() const noexcept {
+    const std::uint32_t name = next(at_);
+    return at(TokenKind::identifier) && is_one_of(clauses, text(at_)) &&
+           (!token().first_on_line() ||
+            (tokens_[name].kind() == TokenKind::identifier && !tokens_[name].first_on_line() &&
+             tokens_[next(name)].kind() != TokenKind::assign));
+}
+
+/// One report for all clauses of the head: passes over them.
+void Parser::skip_foreign_clauses() {
     report_at(at_, DiagnosticId::foreign_construct, {quoted(at_), third_edition});
-    return true;
+    static constexpr TokenSet in_clause{TokenKind::identifier, TokenKind::dot, TokenKind::comma};
+    while (at_foreign_clause()) {
+        do
+            advance();
+        while (at(in_clause) &&
+               (!token().first_on_line() || tokens_[at_ - 1].kind() == TokenKind::comma));
+        while (!unit_ends.contains(peek()) && accept(TokenKind::semicolon)) {
+        }
+    }
+}
+
+/// `r REF= x`
+bool Parser::at_reference_assignment() const noexcept {
+    return at_word("REF") && peek() == TokenKind::equal && adjoins_next();
+}
+
+/// In place of assignment_statement: `r REF= x`, which makes `r` refer to `x`.
+const ast::Statement* Parser::parse_reference_assignment(const ast::Expression* reference) {
+    auto* error = make_from<ast::ErrorStatement>(reference);
+    report(DiagnosticId::foreign_construct, token_range(at_, next(at_) + 1),
+           {"`REF=`", other_dialects});
+    advance();
+    advance();
+    parse_expression();
+    return finish(error);
+}
+
+/// In place of derived_type_name: `Motion.Axis`, a name in a namespace.
+const ast::TypeSpecification* Parser::parse_qualified_type_name() {
+    auto* error = make<ast::ErrorType>();
+    do
+        advance();
+    while (accept(TokenKind::dot) && at(TokenKind::identifier));
+    finish(error);
+    const TextRange name = token_range(error->first_token, error->end_token);
+    report(DiagnosticId::foreign_construct, name,
+           {"`" + std::string(text_.substr(name.begin, name.size())) + "`, a name in a namespace,",
+            third_edition});
+    return error;
+}
+
+/// `STRUCT OVERLAP`
+void Parser::accept_foreign_overlap() {
+    if (!at_word("OVERLAP") || token().first_on_line() || peek() != TokenKind::identifier)
+        return;
+    report_at(at_, DiagnosticId::foreign_construct, {quoted(at_), third_edition});
+    advance();
 }
 
 } // namespace iecfront

@@ -400,7 +400,7 @@ bool Parser::at_invocation_statement() const noexcept {
 /// A statement of ST: a variable and `:=`, an invocation, or a word that begins one.
 bool Parser::at_structured_text() const noexcept {
     static constexpr TokenSet after_variable{TokenKind::assign, TokenKind::equal, TokenKind::dot,
-                                             TokenKind::left_bracket};
+                                             TokenKind::left_bracket, TokenKind::caret};
     const bool variable =
         at(TokenKind::identifier) || at(TokenKind::direct_variable) || at(execution_control);
     if (is_expression_operator(at_) && peek() == TokenKind::left_bracket &&
@@ -824,7 +824,7 @@ const ast::Expression* Parser::parse_called_instance() {
     const ast::Expression* instance = parse_il_variable();
     if (const auto* name = ast::as<ast::VariableName>(instance))
         check_standard_name(first, name->hash, NameUse::other);
-    else
+    else if (instance->kind != ast::NodeKind::dereferenced_variable) // which was reported
         report_node(
             *instance, DiagnosticId::call_of_member,
             {instance->kind == ast::NodeKind::array_variable ? "an array element" : "a member"});
@@ -921,6 +921,10 @@ Parser::RestOfLine Parser::rest_of_line(std::uint32_t i) const noexcept {
 const ast::Expression* Parser::parse_il_variable() {
     const ast::Expression* variable = parse_variable_name();
     for (;;) {
+        if (at(TokenKind::caret) && !at_line_end() && at_dereference()) {
+            variable = parse_dereference(variable);
+            continue;
+        }
         if (at_line_end() || (!at(TokenKind::dot) && !at(TokenKind::left_bracket)))
             return variable;
         if (at(TokenKind::left_bracket) && argument_lines_follow(at_))
@@ -969,6 +973,7 @@ void Parser::check_il_subscripts(const ast::Expression& variable) {
         case ast::NodeKind::direct_variable: break;
         case ast::NodeKind::array_variable:
         case ast::NodeKind::structured_variable:
+        case ast::NodeKind::dereferenced_variable:
             report_node(*subscript, DiagnosticId::il_subscript, {"a part of a variable"});
             break;
         default:

@@ -566,6 +566,10 @@ private:
     const ast::Expression* parse_selectors(const ast::Expression* head);
     const ast::Expression* parse_subscripts(const ast::Expression* head);
     const ast::Expression* parse_field(const ast::Expression* head);
+    const ast::PartSelector* parse_part_selector();
+    [[nodiscard]] bool at_dereference() const noexcept;
+    const ast::Expression* parse_dereference(const ast::Expression* reference);
+    [[nodiscard]] bool at_caret_for_power() const noexcept;
     [[nodiscard]] bool at_doubled_dot() const noexcept;
     [[nodiscard]] bool at_arrow_for_dot() const noexcept;
     const ast::Expression* parse_arrow(const ast::Expression* head);
@@ -574,6 +578,7 @@ private:
     [[nodiscard]] bool follows_operator(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_formal_argument_behind_comma() const noexcept;
     const ast::Expression* parse_call(const ast::Expression* callee);
+    [[nodiscard]] bool has_no_parts(const ast::Expression& variable) const noexcept;
     void check_has_parts(const ast::Expression& variable);
     ast::List<ast::Node> parse_arguments();
     const ast::Node* parse_argument(std::uint32_t open);
@@ -833,7 +838,12 @@ private:
     [[nodiscard]] bool at_foreign_member() const noexcept;
     void skip_foreign_member();
     void accept_foreign_modifiers();
-    bool report_foreign_heritage();
+    [[nodiscard]] bool at_foreign_clause() const noexcept;
+    void skip_foreign_clauses();
+    [[nodiscard]] bool at_reference_assignment() const noexcept;
+    const ast::Statement* parse_reference_assignment(const ast::Expression* reference);
+    const ast::TypeSpecification* parse_qualified_type_name();
+    void accept_foreign_overlap();
 
     // ---- fragment.cpp
     void parse_elements_of_fragment(ListBuilder<ast::Node>& elements, FragmentKind kind);

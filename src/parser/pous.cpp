@@ -130,12 +130,15 @@ void Parser::skip_rest_of_head() {
         accept_extra_semicolon_before_body();
         return;
     }
-    if (!report_foreign_heritage()) {
-        if (token().first_on_line() || at(block_openers) || at(unit_ends) ||
-            at_declarations_without_opener() || at_statement_start() || body_begins_in_head())
+    if (at_foreign_clause()) {
+        skip_foreign_clauses();
+        if (at(TokenKind::semicolon)) // the body
             return;
-        report_unexpected("a declaration block or the body");
     }
+    if (token().first_on_line() || at(block_openers) || at(unit_ends) ||
+        at_declarations_without_opener() || at_statement_start() || body_begins_in_head())
+        return;
+    report_unexpected("a declaration block or the body");
     while (!token().first_on_line() && !at(block_openers) && !at(unit_ends) &&
            !at(TokenKind::semicolon))
         advance();

@@ -73,8 +73,9 @@ bool ends_statement_elsewhere(std::string_view word) noexcept {
 
 /// What makes a name in the line before it the beginning of a statement.
 bool goes_on_behind_name(TokenKind after) noexcept {
-    static constexpr TokenSet marks{TokenKind::assign, TokenKind::left_parenthesis,
-                                    TokenKind::left_bracket, TokenKind::dot, TokenKind::equal};
+    static constexpr TokenSet marks{TokenKind::assign,       TokenKind::left_parenthesis,
+                                    TokenKind::left_bracket, TokenKind::dot,
+                                    TokenKind::equal,        TokenKind::caret};
     return marks.contains(after);
 }
 
@@ -143,8 +144,9 @@ bool Parser::closes_outer_block() const noexcept {
 bool Parser::at_misspelt_closer() const noexcept {
     if (open_.empty() || (!at(TokenKind::identifier) && !at(TokenKind::kw_end_function)))
         return false;
-    static constexpr TokenSet after_name{TokenKind::colon, TokenKind::assign, TokenKind::dot,
-                                         TokenKind::left_bracket, TokenKind::left_parenthesis};
+    static constexpr TokenSet after_name{
+        TokenKind::colon,        TokenKind::assign,           TokenKind::dot,
+        TokenKind::left_bracket, TokenKind::left_parenthesis, TokenKind::caret};
     const std::string_view closer = spelling(open_.back().closer);
     if (at_split_word(closer))
         return true;
@@ -377,7 +379,7 @@ bool Parser::at_statement_start() const noexcept {
     if (!at(TokenKind::identifier) && !at(execution_control))
         return false;
     static constexpr TokenSet after_name{TokenKind::assign, TokenKind::left_parenthesis,
-                                         TokenKind::left_bracket, TokenKind::dot};
+                                         TokenKind::left_bracket, TokenKind::dot, TokenKind::caret};
     return after_name.contains(peek());
 }
 

@@ -115,7 +115,8 @@ TokenKind Parser::chart_element_opener() const noexcept {
 /// A word of charts that is not used as the name of a variable.
 bool Parser::at_chart_word() const noexcept {
     static constexpr TokenSet after_variable{TokenKind::assign, TokenKind::dot,
-                                             TokenKind::left_bracket, TokenKind::left_parenthesis};
+                                             TokenKind::left_bracket, TokenKind::left_parenthesis,
+                                             TokenKind::caret};
     return at(TokenKind::kw_transition) || (at(chart_openers) && !after_variable.contains(peek()));
 }
 

@@ -508,6 +508,8 @@ const ast::Statement* Parser::parse_simple_statement() {
     const bool truth = at(TokenKind::kw_true) || at(TokenKind::kw_false);
     if (truth && !token().first_on_line() && is_variable(*left))
         return parse_assignment(left);
+    if (at_reference_assignment())
+        return parse_reference_assignment(left);
     if (at_compound_assignment())
         return parse_compound_assignment(left);
     if (const auto* call = ast::as<ast::FunctionCall>(left);
@@ -636,6 +638,7 @@ bool Parser::is_variable(const ast::Expression& expression) noexcept {
     case ast::NodeKind::variable_name:
     case ast::NodeKind::array_variable:
     case ast::NodeKind::structured_variable:
+    case ast::NodeKind::dereferenced_variable:
     case ast::NodeKind::direct_variable:
     case ast::NodeKind::error_expression: return true;
     default: return false;
@@ -685,6 +688,8 @@ const ast::Statement* Parser::make_invocation(const ast::FunctionCall& call) {
     node->fb_name = call.function;
     node->arguments = call.arguments;
     finish(node);
+    if (call.function->kind == ast::NodeKind::dereferenced_variable)
+        return node; // which was reported
     if (call.function->kind != ast::NodeKind::variable_name) {
         report_call_of_member(*call.function);
     } else if (const std::string name(text(call.function->first_token));
@@ -1032,7 +1037,8 @@ bool Parser::name_before_statement(std::uint32_t index) const noexcept {
 
 bool Parser::begins_statement(std::uint32_t index) const noexcept {
     static constexpr TokenSet behind_name{TokenKind::assign, TokenKind::left_parenthesis,
-                                          TokenKind::left_bracket, TokenKind::dot};
+                                          TokenKind::left_bracket, TokenKind::dot,
+                                          TokenKind::caret};
     return statement_words.contains(tokens_[index].kind()) ||
            (tokens_[index].kind() == TokenKind::identifier &&
             behind_name.contains(tokens_[next(index)].kind()));

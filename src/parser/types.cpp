@@ -245,6 +245,8 @@ const ast::TypeSpecification* Parser::parse_derived_type() {
         advance();
         return parse_enumerated_specification();
     }
+    if (peek() == TokenKind::dot && peek_second() == TokenKind::identifier)
+        return parse_qualified_type_name();
     const ast::TypeSpecification* name = parse_type_name();
     if (!at(TokenKind::left_parenthesis))
         return name;
@@ -354,7 +356,10 @@ const ast::Subrange* Parser::parse_subrange() {
     const bool open =
         at(TokenKind::star) && (peek() == TokenKind::right_bracket || peek() == TokenKind::comma);
     if (open) { // `ARRAY [*]`
-        report_at(at_, DiagnosticId::subrange_needs_two_bounds);
+        const bool first = at_ < 2 || tokens_[at_ - 2].kind() != TokenKind::star;
+        if (first)
+            report_at(at_, DiagnosticId::foreign_construct,
+                      {"`*` for the bounds of an array", "the third edition"});
         advance();
         node->lower = make_missing<ast::ErrorExpression>();
         node->upper = make_missing<ast::ErrorExpression>();
@@ -657,6 +662,7 @@ const ast::TypeSpecification* Parser::parse_structure_declaration() {
     } else {
         advance();
     }
+    accept_foreign_overlap();
     parse_structure_elements(*node, opener);
     return finish(node);
 }
@@ -758,7 +764,8 @@ const ast::Node* Parser::parse_structure_element_declaration() {
     if (node->names.size() > 1)
         report(DiagnosticId::several_element_names,
                token_range(node->names[1]->first_token, node->names.back()->end_token));
-    if (const ast::Location* location = parse_optional_location())
+    if (const ast::Location* location = parse_optional_location();
+        location != nullptr && !tokens_[location->end_token - 1].malformed())
         report_node(*location, DiagnosticId::name_with_location, {"STRUCT"})
             .remove(
                 {tokens_[location->first_token - 1].end(), tokens_[location->end_token - 1].end()});

@@ -55,6 +55,8 @@ TEST(Examples, AreBuilt) {
     switch (kind) {
     case ast::NodeKind::skipped_text:
     case ast::NodeKind::continue_statement:
+    case ast::NodeKind::dereferenced_variable:
+    case ast::NodeKind::part_selector:
     case ast::NodeKind::expression_statement: return true;
     default:
         return to_string(kind).starts_with("error_") || kind == ast::NodeKind::il_error_operation;

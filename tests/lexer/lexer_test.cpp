@@ -89,6 +89,8 @@ TEST(Lexer, Delimiters) {
         {"***", "power star"},
         {"a...b", "identifier dot_dot dot identifier"},
         {"&&&", "ampersand_ampersand ampersand"},
+        {"a^ ^ b[1]^",
+         "identifier caret caret identifier left_bracket integer right_bracket caret"},
         {": =", "colon equal"},
     };
     for (const Row& row : rows) {
@@ -417,6 +419,8 @@ TEST(Lexer, Numbers) {
         {"x.1.2", "identifier(x) dot(.) integer(1) dot(.) integer(2)"},
         {"a[1].5", "identifier(a) left_bracket([) integer(1) right_bracket(]) dot(.) integer(5)"},
         {"step.5", "kw_step(step) dot(.) integer(5)"},
+        {"x.%X3.%b1", "identifier(x) dot(.) part_selector(%X3) dot(.) part_selector(%b1)"},
+        {"p^.5", "identifier(p) caret(^) dot(.) integer(5)"},
         {"123456789012345678 18446744073709551615",
          "integer(123456789012345678) integer(18446744073709551615)"},
         {"INT#-5 UINT#16#9AF BOOL#TRUE REAL#1.5E-3",

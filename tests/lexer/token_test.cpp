@@ -67,7 +67,7 @@ TEST(TokenKind, FallsIntoGroups) {
     EXPECT_FALSE(is_elementary_type_name(TokenKind::kw_any));
     EXPECT_TRUE(is_generic_type_name(TokenKind::kw_any_date));
     EXPECT_FALSE(is_generic_type_name(TokenKind::kw_type));
-    EXPECT_TRUE(is_delimiter(TokenKind::bar_bar));
+    EXPECT_TRUE(is_delimiter(TokenKind::caret));
     EXPECT_FALSE(is_delimiter(TokenKind::end_of_unit));
 }
 

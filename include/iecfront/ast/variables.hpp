@@ -172,8 +172,18 @@ struct ArrayVariable : Expression {
     }
 };
 
-/// `variable.field` (B.1.4.2). A bit (`x.3`, an extension) has an `IntegerLiteral` as its selector,
-/// and a place in an access path (`resource.%IX1.0`, B.1.7) a `DirectVariable`.
+/// `%X3` behind the point of `x.%X3`, an extension: the bit (`X`), byte (`B`), word (`W`), double
+/// word (`D`) or long word (`L`) with that number.
+struct PartSelector : Node {
+    static constexpr NodeKind node_kind = NodeKind::part_selector;
+    PartSelector() noexcept : Node(node_kind) {}
+
+    static constexpr auto members() { return std::tuple{}; }
+};
+
+/// `variable.field` (B.1.4.2). A bit (`x.3` or `x.%X3`, an extension) has an `IntegerLiteral` or a
+/// `PartSelector` as its selector, and a place in an access path (`resource.%IX1.0`, B.1.7) a
+/// `DirectVariable`.
 struct StructuredVariable : Expression {
     static constexpr NodeKind node_kind = NodeKind::structured_variable;
     StructuredVariable() noexcept : Expression(node_kind) {}
@@ -184,6 +194,17 @@ struct StructuredVariable : Expression {
         return std::tuple{
             MemberDescription{"record_variable", &StructuredVariable::record_variable},
             MemberDescription{"field_selector", &StructuredVariable::field_selector}};
+    }
+};
+
+/// `reference^`, what a reference refers to: of the third edition and other dialects.
+struct DereferencedVariable : Expression {
+    static constexpr NodeKind node_kind = NodeKind::dereferenced_variable;
+    DereferencedVariable() noexcept : Expression(node_kind) {}
+    const Expression* reference = nullptr;
+
+    static constexpr auto members() {
+        return std::tuple{MemberDescription{"reference", &DereferencedVariable::reference}};
     }
 };
 

@@ -34,7 +34,7 @@ inline constexpr std::size_t token_kind_count = static_cast<std::size_t>(TokenKi
 }
 /// True for delimiters and operators of signs, also those of other languages (`==`).
 [[nodiscard]] constexpr bool is_delimiter(TokenKind kind) noexcept {
-    return kind >= TokenKind::assign && kind <= TokenKind::bar_bar;
+    return kind >= TokenKind::assign && kind <= TokenKind::caret;
 }
 
 /// The standard's spelling of a keyword or delimiter (`END_IF`, `:=`), or a description of another
