@@ -9,10 +9,8 @@
 #include <iecfront/diagnostics/render_json.hpp>
 #include <iecfront/diagnostics/render_sarif.hpp>
 
-#include <algorithm>
 #include <cstdlib>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -32,10 +30,6 @@ namespace {
     return !is_set("NO_COLOR") && !dumb && is_terminal(stdout);
 }
 
-[[nodiscard]] unsigned job_count(const Options& options) {
-    return options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
-}
-
 /// Collects the reports of the files, in order, and says what comes out.
 class CheckRun {
 public:
@@ -46,7 +40,7 @@ public:
 
     [[nodiscard]] Status run() {
         work_in_order(
-            inputs_.size(), job_count(settings_.options),
+            inputs_.size(), settings_.options.job_count(),
             [&](std::size_t i) { return check_file(inputs_[i], settings_); },
             [&](std::size_t i, const FileReport& report) { take(i, report); });
         progress_.clear();

@@ -198,6 +198,8 @@ constexpr OptionRow encoding_row = {
 constexpr OptionRow nesting_row = {
     "--max-nesting", "N", "examine what is nested up to N levels deep (1 to 1000, default 256)",
     set_nesting};
+constexpr OptionRow jobs_row = {"--jobs", "N", "read N files at a time (default: one a processor)",
+                                set_jobs};
 constexpr OptionRow text_or_json_row = {"--format", "text|json", "how to print (default: text)",
                                         set_text_or_json};
 
@@ -220,7 +222,7 @@ constexpr std::array check_options = {
               "report identifiers of more than N bytes (default 4096)", set_identifier_length},
     OptionRow{"--max-diagnostics", "N", "stop after N findings in a file (default 100000)",
               set_diagnostics},
-    OptionRow{"--jobs", "N", "read N files at a time (default: one a processor)", set_jobs},
+    jobs_row,
     OptionRow{"--color", "WHEN", "auto (default), always or never; NO_COLOR is honoured",
               set_colour},
 };
@@ -241,6 +243,7 @@ constexpr std::array format_options = {
               set_line_length},
     encoding_row,
     nesting_row,
+    jobs_row,
 };
 constexpr std::array explain_options = {
     OptionRow{"--list", "", "list every code with its name and message", set_list},

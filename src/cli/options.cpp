@@ -7,6 +7,7 @@
 #include <iecfront/lexer/name.hpp>
 
 #include <algorithm>
+#include <thread>
 
 namespace iecfront::cli {
 namespace {
@@ -109,6 +110,10 @@ private:
 };
 
 } // namespace
+
+unsigned Options::job_count() const noexcept {
+    return jobs != 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
+}
 
 SeverityPolicy Options::policy() const {
     SeverityPolicy policy;

@@ -42,6 +42,8 @@ struct Options {
     bool help = false;
 
     [[nodiscard]] SeverityPolicy policy() const;
+    /// How many files are read at a time.
+    [[nodiscard]] unsigned job_count() const noexcept;
 };
 
 /// An option of a command.

@@ -5,8 +5,12 @@
 
 #include <functional>
 #include <span>
+#include <string>
 
 namespace iecfront::cli {
+
+/// Why there is no text; empty when there is.
+[[nodiscard]] std::string problem_of(const ReadText& text);
 
 /// Reads the inputs one after another and gives the text of each to `use`. What cannot be read is
 /// complained of, and the rest is read all the same.

@@ -1,5 +1,6 @@
 #include "cli/command.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -114,6 +115,40 @@ TEST_F(FormatCommand, ComplainsInOneLineAndGoesOn) {
     EXPECT_EQ(outcome.out, formatted_program);
     write("b.st", good_program);
     EXPECT_EQ(run({"format", "--check", "missing.st", "b.st"}).status, 2);
+}
+
+TEST_F(FormatCommand, DoesTheSameForAnyNumberOfJobs) {
+    std::vector<std::string> arguments = {"format", "--jobs", "1"};
+    for (int i = 0; i < 60; ++i) {
+        const std::string name = "file" + std::to_string(i) + ".st";
+        if (i % 7 != 3)
+            write(name, i % 3 == 0 ? good_program : formatted_program);
+        arguments.push_back(name);
+    }
+    for (const char* what : {"", "--check", "--write"}) {
+        if (*what != '\0')
+            arguments.insert(arguments.begin() + 1, what);
+        std::vector<Outcome> outcomes;
+        for (const char* jobs : {"1", "2", "16", "1024"}) {
+            for (int i = 0; i < 60; i += 3)
+                if (i % 7 != 3)
+                    write("file" + std::to_string(i) + ".st", good_program);
+            *(std::ranges::find(arguments, "--jobs") + 1) = jobs;
+            outcomes.push_back(run(arguments));
+            EXPECT_EQ(outcomes.back().status, 2);
+            EXPECT_EQ(outcomes.back().out, outcomes.front().out) << what << jobs;
+            EXPECT_EQ(outcomes.back().err, outcomes.front().err) << what << jobs;
+        }
+        EXPECT_NE(outcomes.front().out, "");
+        if (*what != '\0')
+            arguments.erase(arguments.begin() + 1);
+    }
+}
+
+TEST_F(FormatCommand, RewritesAFileThatIsNamedTwiceOnce) {
+    write("a.st", good_program);
+    EXPECT_EQ(run({"format", "--write", "--jobs", "4", "a.st", "./a.st", "."}).out, "a.st\n");
+    EXPECT_EQ(text_of("a.st"), formatted_program);
 }
 
 TEST_F(FormatCommand, RefusesWhatMakesNoSense) {
