@@ -26,9 +26,14 @@ public:
         name(member_name);
         append_json_string(out_, text);
     }
-    void member(std::string_view member_name, std::uint32_t number) {
+    void member(std::string_view member_name, std::uint64_t number) {
         name(member_name);
         out_ += std::to_string(number);
+    }
+    /// Not `member`: a literal would rather be a truth value than a text.
+    void truth(std::string_view member_name, bool value) {
+        name(member_name);
+        out_ += value ? "true" : "false";
     }
 
 private:
@@ -36,13 +41,15 @@ private:
     bool first_ = true;
 };
 
-/// Writes `[`, what `write` appends for each item, and `]`.
+/// Writes `[`, what `write` appends for each item with separators between, and `]`.
 template<class Items, class Write>
-void append_array(std::string& out, const Items& items, Write write) {
+void append_array(std::string& out, const Items& items, Write write,
+                  std::string_view separator = ",") {
     out += '[';
+    bool first = true;
     for (const auto& item : items) {
-        if (out.back() != '[')
-            out += ',';
+        out += first ? "" : separator;
+        first = false;
         write(item);
     }
     out += ']';

@@ -55,7 +55,7 @@ TEST(Statement, FormsAgree) {
     EXPECT_TRUE(text.starts_with("Compliance with IEC 61131-3:2003\n====="));
     EXPECT_TRUE(text.ends_with("\n"));
     const std::string json = compliance_statement(StatementFormat::json, "gate \"7\"");
-    EXPECT_TRUE(json.starts_with("{\"product\": \"gate \\\"7\\\"\", \"standard\": "));
+    EXPECT_TRUE(json.starts_with("{\"product\":\"gate \\\"7\\\"\",\"standard\":"));
     EXPECT_TRUE(json.ends_with("]}\n"));
 }
 
