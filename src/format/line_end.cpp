@@ -6,12 +6,6 @@
 namespace iecfront::layout {
 namespace {
 
-[[nodiscard]] std::string_view line_end_at(std::string_view text, std::size_t at) noexcept {
-    if (text[at] == '\n')
-        return "\n";
-    return at + 1 < text.size() && text[at + 1] == '\n' ? "\r\n" : "\r";
-}
-
 // The first line end behind `at` that no comment holds; the end of text when there is none.
 [[nodiscard]] std::size_t find_line_end(const Unit& unit, std::size_t at) {
     const std::string_view text = unit.text();
@@ -31,7 +25,25 @@ namespace {
     return begin;
 }
 
+// What the first line in a comment ends in; LF when there is none.
+[[nodiscard]] std::string_view line_end_in_comments(const SyntaxTree& tree) {
+    for (const SyntaxTree::Slot& slot : tree.slots())
+        for (const Trivia& trivia : slot.unit->trivia()) {
+            const std::string_view text = slot.unit->text(trivia.range);
+            const std::size_t found = text.find_first_of("\r\n");
+            if (found != std::string_view::npos)
+                return line_end_at(text, found);
+        }
+    return "\n";
+}
+
 } // namespace
+
+std::string_view line_end_at(std::string_view text, std::size_t at) noexcept {
+    if (text[at] == '\n')
+        return "\n";
+    return at + 1 < text.size() && text[at + 1] == '\n' ? "\r\n" : "\r";
+}
 
 std::string_view line_end_of(const SyntaxTree& tree) {
     std::size_t begin = begin_of_contents(*tree.slots().front().unit);
@@ -41,7 +53,7 @@ std::string_view line_end_of(const SyntaxTree& tree) {
             return line_end_at(slot.unit->text(), found);
         begin = 0;
     }
-    return "\n";
+    return line_end_in_comments(tree);
 }
 
 } // namespace iecfront::layout

@@ -23,6 +23,11 @@ constexpr std::uint32_t blanks_before_comment = 2;
     }
 }
 
+// Of a comment that has its place.
+[[nodiscard]] std::uint32_t indent_of_last_line(const Piece& piece) noexcept {
+    return moved_indent(piece, last_line(piece.text), piece.column).width();
+}
+
 /// What is open where a line is broken: parentheses, or the statement as a whole.
 struct Level {
     std::uint32_t list = 0;       ///< the column of lines that begin with an element of the list
@@ -143,6 +148,8 @@ void LineBreaker::place(Piece& piece, const Piece* before, std::uint32_t chunk) 
     }
     if (piece.begins_line)
         line_column_ = piece.column;
+    if (piece.several_lines)
+        piece.width += indent_of_last_line(piece);
     if (!piece.behind)
         column_ = piece.width + (piece.several_lines ? 0 : piece.column);
     if (expression_begins_ && !piece.is_comment()) {

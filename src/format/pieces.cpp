@@ -41,6 +41,11 @@ struct Extent {
     return extent;
 }
 
+// What stands in the source before a piece of several lines, in its line.
+[[nodiscard]] std::string_view line_before(const Piece& piece) noexcept {
+    return {piece.gap.data() + piece.gap.size() - piece.bytes_before, piece.bytes_before};
+}
+
 /// Counts the columns of the source on the way from its beginning to its end.
 class ColumnCounter {
 public:
@@ -96,6 +101,7 @@ private:
                                      std::uint32_t line_ends) const;
     void keep_break_at_operator(std::uint32_t token);
     [[nodiscard]] bool wants_blank_line(std::uint32_t token, std::uint32_t line_ends) const;
+    void remember_place(Piece& piece, std::uint32_t begin) const;
     void rank_break(Piece& piece, std::uint8_t rank);
     [[nodiscard]] std::int32_t level_of_comment(std::uint32_t token);
     [[nodiscard]] bool in_broken_line(std::uint32_t offset);
@@ -215,6 +221,10 @@ void Arranger::add(Piece piece, std::uint32_t token, TextRange range) {
     const Extent extent = extent_of(piece.text, unit_.encoding());
     piece.width = extent.width;
     piece.several_lines = extent.several_lines;
+    if (piece.several_lines) {
+        piece.width -= static_cast<std::uint32_t>(indent_of(last_line(piece.text)).size());
+        remember_place(piece, range.begin);
+    }
     piece.verbatim = in_broken_line(range.begin);
     piece.line_break = break_before(piece, token, line_ends);
     if (piece.line_break == Break::none && line_ends > 0 && !piece.is_comment())
@@ -227,6 +237,15 @@ void Arranger::add(Piece piece, std::uint32_t token, TextRange range) {
     rank_break(piece, piece.is_comment() ? std::uint8_t{0} : rows_[token].rank);
     end_ = range.end;
     pieces_.push_back(piece);
+}
+
+// Where the first line of a comment stands in the source.
+void Arranger::remember_place(Piece& piece, std::uint32_t begin) const {
+    const std::size_t line_end = unit_.text({0, begin}).find_last_of("\r\n");
+    const std::size_t line_begin =
+        line_end == std::string_view::npos ? leading_mark_size(unit_) : line_end + 1;
+    piece.bytes_before = begin - static_cast<std::uint32_t>(line_begin);
+    piece.first_column = width_of_last_line(line_before(piece), unit_.encoding());
 }
 
 // `piece` is token `token`, or a comment before it, with `line_ends` before it in the source.
@@ -310,6 +329,35 @@ void Arranger::mark_comments_behind() {
 }
 
 } // namespace
+
+std::string_view last_line(std::string_view text) noexcept {
+    return text.substr(text.find_last_of("\r\n") + 1);
+}
+
+std::string_view indent_of(std::string_view line) noexcept {
+    return line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
+}
+
+MovedIndent moved_indent(const Piece& comment, std::string_view line,
+                         std::uint32_t column) noexcept {
+    const std::string_view before = line_before(comment);
+    const std::string_view indent = indent_of(line);
+    const bool empty = indent.size() == line.size();
+    if (empty || comment.verbatim || comment.pragma)
+        return {0, indent};
+    if (indent_of(before) == before && indent.starts_with(before))
+        return {column, indent.substr(before.size())};
+    if (before.find('\t') != std::string_view::npos) // nobody knows how wide it is
+        return {0, indent};
+    if (column >= comment.first_column)
+        return {column - comment.first_column, indent};
+    const std::size_t blanks = std::min(indent.find_first_not_of(' '), indent.size());
+    return {0, indent.substr(std::min<std::size_t>(blanks, comment.first_column - column))};
+}
+
+std::uint32_t width_of_last_line(std::string_view text, Encoding encoding) noexcept {
+    return extent_of(text, encoding).width;
+}
 
 std::uint32_t leading_mark_size(const Unit& unit) noexcept {
     const std::uint32_t size = byte_order_mark_size(unit.text(), unit.encoding());

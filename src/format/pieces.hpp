@@ -23,15 +23,19 @@ enum class Break : std::uint8_t {
 /// second one is found out by `break_lines` and `align`.
 struct Piece {
     std::string_view text;
-    std::string_view gap;       ///< white space before it in the source, back to the piece before
-    std::uint32_t width = 0;    ///< in columns; of the last line of a piece of several
-    std::int32_t level = 0;     ///< the column of a line that begins with it
-    std::uint32_t brackets = 0; ///< that are open before it, in what is one line without breaks
+    std::string_view gap; ///< white space before it in the source, back to the piece before
+    /// In columns. Of a piece of several lines that of the last one, without the white space before
+    /// it until `break_lines` has found a place for it.
+    std::uint32_t width = 0;
+    std::uint32_t first_column = 0; ///< of a piece of several lines, in the source
+    std::uint32_t bytes_before = 0; ///< and the bytes before it in its line there
+    std::int32_t level = 0;         ///< the column of a line that begins with it
+    std::uint32_t brackets = 0;     ///< that are open before it, in what is one line without breaks
     std::uint32_t source_column = no_column; ///< of a comment behind something
     std::uint8_t rank = 0;                   ///< see `TokenLayout`
     TokenKind kind = TokenKind::end_of_unit; ///< end_of_unit for a comment or pragma
     Break line_break = Break::none;
-    bool several_lines = false; ///< a comment with line ends
+    bool several_lines = false; ///< a comment or pragma with line ends
     bool space = false;         ///< a blank before it
     bool blank_line = false;    ///< an empty line above it
     bool verbatim = false;      ///< written as it was read, with the gap before it
@@ -57,6 +61,31 @@ struct Piece {
 [[nodiscard]] constexpr bool closes_bracket(TokenKind kind) noexcept {
     return kind == TokenKind::right_parenthesis || kind == TokenKind::right_bracket;
 }
+
+/// What becomes of the white space that a further line of a comment begins with: so many blanks,
+/// and then what is left of it.
+struct MovedIndent {
+    std::uint32_t blanks = 0;
+    std::string_view rest;
+
+    [[nodiscard]] std::uint32_t width() const noexcept {
+        return blanks + static_cast<std::uint32_t>(rest.size());
+    }
+};
+
+/// The further lines of a comment move with its first one, which comes to stand in `column`, as far
+/// as there is white space before them. `line` is one of them, without its line end.
+[[nodiscard]] MovedIndent moved_indent(const Piece& comment, std::string_view line,
+                                       std::uint32_t column) noexcept;
+
+/// What stands behind the last line end of `text`.
+[[nodiscard]] std::string_view last_line(std::string_view text) noexcept;
+
+/// The white space that `line` begins with.
+[[nodiscard]] std::string_view indent_of(std::string_view line) noexcept;
+
+/// How many characters the last line of `text` has.
+[[nodiscard]] std::uint32_t width_of_last_line(std::string_view text, Encoding encoding) noexcept;
 
 /// What becomes of the text of tokens, comments and pragmas. A comment that becomes empty is left
 /// out; one that `stays`, in a line that could not be read, has to be written.

@@ -29,21 +29,33 @@ void append_word(std::string& out, std::string_view word, KeywordCase keyword_ca
     }
 }
 
-// The gap of a piece that stays as it is, without the line ends before it.
-[[nodiscard]] std::string_view last_line(std::string_view gap) noexcept {
-    const std::size_t line_end = gap.find_last_of("\r\n");
-    return line_end == std::string_view::npos ? gap : gap.substr(line_end + 1);
-}
-
 void append_piece(std::string& out, const Piece& piece, KeywordCase keyword_case) {
-    if (piece.verbatim)
-        out += last_line(piece.gap);
-    else
-        out.append(piece.spaces, ' ');
     if (piece.word && !piece.verbatim)
         append_word(out, piece.text, keyword_case);
     else
         out += piece.text;
+}
+
+// A comment or pragma of several lines; the first one begins in `column`.
+void append_lines(std::string& out, const Piece& piece, std::uint32_t column,
+                  std::string_view line_end) {
+    std::string_view rest = piece.text;
+    for (bool first = true; !rest.empty(); first = false) {
+        const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+        std::string_view line = rest.substr(0, end);
+        if (!first) {
+            const MovedIndent indent = moved_indent(piece, line, column);
+            out.append(indent.blanks, ' ');
+            out += indent.rest;
+            line.remove_prefix(indent_of(line).size());
+        }
+        out += line;
+        rest.remove_prefix(end);
+        if (rest.empty())
+            break;
+        out += line_end;
+        rest.remove_prefix(line_end_at(rest, 0).size());
+    }
 }
 
 // Extensions by which nothing is read in another way, wherever lines end.
@@ -106,13 +118,23 @@ void UnitWriter::lay_out(std::string& out, const Unit& unit, TextRule* rule) con
     bool first_in_file = out.empty();
     if (rule == nullptr) // a byte order mark is nothing to write in ISO 646
         out += unit.text().substr(0, leading_mark_size(unit));
+    const std::size_t begin = out.size();
     for (const Piece& piece : pieces) {
         if (piece.begins_line && !first_in_file)
             out += line_end_;
         if (piece.blank_line && !first_in_file)
             out += line_end_;
         first_in_file = false;
-        append_piece(out, piece, options_.keyword_case);
+        if (piece.verbatim)
+            out += last_line(piece.gap);
+        else
+            out.append(piece.spaces, ' ');
+        if (piece.several_lines && !piece.verbatim) {
+            const std::string_view written = std::string_view(out).substr(begin);
+            append_lines(out, piece, width_of_last_line(written, unit.encoding()), line_end_);
+        } else {
+            append_piece(out, piece, options_.keyword_case);
+        }
     }
 }
 

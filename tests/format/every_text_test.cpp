@@ -60,6 +60,18 @@ TEST(Examples, AreFormattedAndWritten) {
     }
 }
 
+/// Without the white space before its further lines, which move with the first one.
+[[nodiscard]] std::string without_indent(std::string_view comment) {
+    std::string text;
+    bool at_begin = false;
+    for (const char c : comment) {
+        at_begin = c == '\n' || (at_begin && c == ' ');
+        if (!at_begin || c == '\n')
+            text += c;
+    }
+    return text;
+}
+
 /// The comments that speak of each declaration and statement.
 [[nodiscard]] std::vector<std::string> attached(const SyntaxTree& tree) {
     std::vector<std::string> comments;
@@ -71,9 +83,10 @@ TEST(Examples, AreFormattedAndWritten) {
             const AttachedComments found = attached_comments(*slot.unit, node);
             comments.emplace_back();
             for (const Trivia& trivia : found.before)
-                comments.back() += "above: " + std::string(slot.unit->text(trivia.range)) + '\n';
+                comments.back() += "above: " + without_indent(slot.unit->text(trivia.range)) + '\n';
             for (const Trivia& trivia : found.behind)
-                comments.back() += "behind: " + std::string(slot.unit->text(trivia.range)) + '\n';
+                comments.back() +=
+                    "behind: " + without_indent(slot.unit->text(trivia.range)) + '\n';
             return ast::Walk::into;
         });
     return comments;

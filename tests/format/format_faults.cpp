@@ -31,6 +31,23 @@ struct Word {
     return comments;
 }
 
+// The further lines of a comment may have moved, and end as others do.
+[[nodiscard]] std::vector<std::string> lines_of_comment(std::string_view comment) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin <= comment.size();) {
+        const std::size_t end = std::min(comment.find_first_of("\r\n", begin), comment.size());
+        const std::string_view line = comment.substr(begin, end - begin);
+        const std::size_t text = lines.empty() ? 0 : line.find_first_not_of(" \t");
+        lines.emplace_back(text < line.size() ? line.substr(text) : std::string_view());
+        begin = end + (comment.substr(end).starts_with("\r\n") ? 2 : 1);
+    }
+    return lines;
+}
+
+[[nodiscard]] bool same_comment(std::string_view before, std::string_view after) {
+    return lines_of_comment(before) == lines_of_comment(after);
+}
+
 [[nodiscard]] bool has_syntax_fault(const SyntaxTree& tree) {
     return std::ranges::any_of(tree.diagnostics(), [](const Diagnostic& diagnostic) {
         const DiagnosticClass category = diagnostic_info(diagnostic.id).category;
@@ -81,7 +98,7 @@ std::string format_fault(const SourceText& source, const ParseOptions& options,
     const SyntaxTree again = parse(SourceText(text, {}, source.encoding()), options);
     if (!std::ranges::equal(words_of(tree), words_of(again), same_word))
         return "other tokens in\n" + text;
-    if (comments_of(tree) != comments_of(again))
+    if (!std::ranges::equal(comments_of(tree), comments_of(again), same_comment))
         return "other comments in\n" + text;
     if (again.diagnostics().size() > tree.diagnostics().size())
         return "more faults in\n" + text;

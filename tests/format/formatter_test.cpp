@@ -47,6 +47,9 @@ TEST(Formatter, KeepsLineEnds) {
     EXPECT_EQ(formatted("TYPE\r\na : INT; END_TYPE"), "TYPE\r\n    a : INT;\r\nEND_TYPE\r\n");
     EXPECT_EQ(formatted("TYPE\ra : INT; END_TYPE"), "TYPE\r    a : INT;\rEND_TYPE\r");
     EXPECT_EQ(formatted("TYPE\na : INT;\r\nEND_TYPE"), "TYPE\n    a : INT;\nEND_TYPE\n");
+    EXPECT_EQ(formatted("(* a\r\nb *)\nTYPE\n{c\rd}\na : INT; END_TYPE"),
+              "(* a\nb *)\nTYPE\n    {c\nd}\n    a : INT;\nEND_TYPE\n");
+    EXPECT_EQ(formatted("(* a\r\nb *)"), "(* a\r\nb *)\r\n");
 }
 
 TEST(Formatter, KeepsTheByteOrderMark) {

@@ -26,8 +26,9 @@ struct FormatOptions {
 };
 
 /// The text of `tree` in the agreed layout: the same tokens, comments and pragmas in the same
-/// order, but for the case of keywords. Formatting what it gives changes nothing. The bytes stay in
-/// the encoding of the tree, and line ends are those of the first line.
+/// order, but for the case of keywords. The further lines of a comment move along with its first
+/// one. Formatting what it gives changes nothing. The bytes stay in the encoding of the tree, and
+/// line ends are those of the first line, also in comments and pragmas.
 ///
 /// Lines on which a violation of the syntax is reported stay as they are, and so does a whole unit
 /// in which a layout around them would be read in another way.
