@@ -1,5 +1,7 @@
 #include "lexer/extents.hpp"
 
+#include "lexer/keywords.hpp"
+
 #include <iecfront/lexer/name.hpp>
 
 #include <algorithm>
@@ -139,6 +141,14 @@ const char* Extents::real_end(const char* point) const noexcept {
     return p;
 }
 
+// `AND` in `REAL#1.AND x`
+static bool begins_with_keyword(const char* p) noexcept {
+    const char* end = p;
+    while (is_word_part(*end))
+        ++end;
+    return keyword_kind({p, static_cast<std::size_t>(end - p)}) != TokenKind::identifier;
+}
+
 const char* Extents::number_end(const char* p) const noexcept {
     while (is_sign(*p))
         ++p;
@@ -149,7 +159,7 @@ const char* Extents::number_end(const char* p) const noexcept {
             return word_end(exponent);
         if (point_begins_fraction(p))
             return real_end(p);
-        if (*p == '.' && p[1] != '.' && !is_word_start(p[1]))
+        if (*p == '.' && p[1] != '.' && (!is_word_start(p[1]) || begins_with_keyword(p + 1)))
             return p + 1; // `REAL#1.`
     } else if (*p == '.' && is_digit(p[1])) {
         return real_end(p); // `REAL#.5`
@@ -195,7 +205,7 @@ const char* Extents::date_end(TokenKind kind, const char* p) const noexcept {
         if (const char* const second = dashes == 2 ? second_slash(p) : nullptr) {
             dashes = 0;
             p = second;
-        } else if (*p == '-' && (dashes != 0 || is_digit(p[1])))
+        } else if (*p == '-' && (dashes != 0 || (is_digit(p[1]) && *digits_end(p + 1) != '#')))
             dashes -= dashes != 0 ? 1 : 0;
         else if (*p == ':' && p[1] != '=' && (colons != 0 || is_digit(p[1])))
             colons -= colons != 0 ? 1 : 0;

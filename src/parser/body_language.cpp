@@ -89,6 +89,10 @@ Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const n
     const bool il_operator = !common && is_il_operator(text(index));
     if (common && index == at_)
         return LineKind::application;
+    const std::uint32_t third = next(second);
+    if (common && operand && !tokens_[third].first_on_line() &&
+        operator_strength(tokens_[third].kind()) > 0)
+        return LineKind::other; // `AND a OR b` goes on with an expression
     if (common || (il_operator && (alone || sign)))
         return before == LineKind::other ? LineKind::other : LineKind::operation;
     if (il_operator && operand)

@@ -166,6 +166,13 @@ bool Parser::begins_instruction_on_line() const noexcept {
     return !alone && (begins_operand(peek()) || others.contains(peek()));
 }
 
+/// `( RETCN` and nothing else in the line: no instruction that can stand in parentheses, but a name
+/// that can.
+bool Parser::at_return_for_name() const noexcept {
+    return at(TokenKind::identifier) && il_operator(at_) != nullptr &&
+           il_operator(at_)->op == IlOperator::return_;
+}
+
 /// Behind `(` or `,` and before `)`: where line ends are missing inside one pair of parentheses.
 void Parser::expect_line_end_in(MissingLineEnds& missing, std::string_view where) {
     if (at_line_end())
@@ -636,7 +643,7 @@ const ast::IlOperation* Parser::parse_il_expression(const IlOperatorRow& row) {
     const bool closed = parenthesis_closes(open);
     MissingLineEnds missing;
     ++il_parentheses_;
-    if (!at_line_end() && begins_instruction_on_line()) {
+    if (!at_line_end() && begins_instruction_on_line() && !at_return_for_name()) {
         expect_line_end_in(missing, "after `(`");
     } else if (!at_line_end() && !at(TokenKind::right_parenthesis)) {
         const std::size_t reports = diagnostics_.size();

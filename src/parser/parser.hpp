@@ -756,6 +756,7 @@ private:
     std::uint32_t accept_parenthesis_of_instructions();
     [[nodiscard]] bool lacks_parenthesis_of_instructions(std::uint32_t index) const noexcept;
     [[nodiscard]] bool begins_instruction_on_line() const noexcept;
+    [[nodiscard]] bool at_return_for_name() const noexcept;
     [[nodiscard]] bool begins_outer_instruction(bool begun) const noexcept;
     [[nodiscard]] bool at_invocation_statement() const noexcept;
     [[nodiscard]] std::uint32_t closing_parenthesis(std::uint32_t open) const noexcept;
