@@ -147,7 +147,7 @@ bool StringScanner::scan() {
         reader_.faults().reject();
         return double_byte_;
     }
-    if (prefix_.type == TokenKind::kw_string && quote_ == double_quote)
+    if (prefix_.type && quote_ == double_quote)
         report_double_quotes();
     reader_.move_to(content_);
     while (reader_.at() < close_)
@@ -225,8 +225,8 @@ void StringScanner::report_double_quotes() {
     if (quotes_can_be_replaced())
         fixes.push_back({{TextEdit{{open_, content_}, std::string(quote)},
                           TextEdit{{close_, close_ + 1}, std::string(quote)}}});
-    reader_.faults().report(DiagnosticId::double_quotes_after_string, {open_, content_}, {},
-                            std::move(fixes));
+    reader_.faults().report(DiagnosticId::typed_string_in_double_quotes, {open_, content_},
+                            {std::string(spelling(*prefix_.type))}, std::move(fixes));
 }
 
 bool StringScanner::quotes_can_be_replaced() const noexcept {

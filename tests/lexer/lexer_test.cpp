@@ -536,15 +536,16 @@ TEST(Lexer, Strings) {
         {"'\"' \"'\" '$$' 'a'", "single_byte_string double_byte_string single_byte_string "
                                 "single_byte_string"},
         {"'a''b'", "single_byte_string single_byte_string"},
-        {"STRING#'OK' WSTRING#'OK' wstring#\"OK\"",
-         "single_byte_string double_byte_string double_byte_string"},
+        {"STRING#'OK' WSTRING#'OK'", "single_byte_string double_byte_string"},
     };
     for (const Row& row : rows) {
         EXPECT_EQ(kinds(row.text), row.expected) << row.text;
         EXPECT_EQ(faults(row.text), "") << row.text;
     }
-    EXPECT_EQ(tokens("STRING#\"a\""), "single_byte_string!(STRING#\"a\")");
-    EXPECT_EQ(faults("STRING#\"a\""), "1408@7..8");
+    EXPECT_EQ(tokens("STRING#\"a\""), "single_byte_string(STRING#\"a\")");
+    EXPECT_EQ(faults("STRING#\"a\""), "5010@7..8");
+    EXPECT_EQ(kinds("wstring#\"a\""), "double_byte_string");
+    EXPECT_EQ(faults("wstring#\"a\""), "5010@8..9");
     EXPECT_EQ(kinds("STRING#5"), "typed_literal");
 }
 
@@ -640,6 +641,7 @@ TEST(Lexer, WhatIsTooLongForATokenIsCut) {
     const std::string longest(Token::maximum_length, 'a');
     EXPECT_EQ(lexed(longest).tokens.at(0),
               Token(TokenKind::identifier, 0, Token::maximum_length, true));
+    EXPECT_TRUE(lexed(longest).diagnostics.empty());
     for (const std::string& text :
          {longest + "bc", "'" + longest + "'", "A#" + longest,
           std::string(Token::maximum_length + 1, '7'), std::string(Token::maximum_length + 1, '?'),
