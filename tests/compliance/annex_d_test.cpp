@@ -1,8 +1,11 @@
 #include "support/case_coverage.hpp"
+#include "support/case_file.hpp"
+#include "support/case_outcome.hpp"
 
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/compliance/annex_d.hpp>
 #include <iecfront/lexer/token.hpp>
+#include <iecfront/parser/parse.hpp>
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -47,6 +50,45 @@ TEST(AnnexD, ALimitHasACaseAtItAndOneBeyond) {
         const std::string tag = "Annex-D." + std::string(info.name);
         EXPECT_TRUE(has_reporting_case(tag, info.id)) << "nothing beyond the limit: " << tag;
         EXPECT_TRUE(has_silent_case(tag, info.id)) << "nothing at the limit: " << tag;
+    }
+}
+
+/// A limit that is an option.
+struct OptionalLimit {
+    DiagnosticId id;
+    std::uint32_t ParseOptions::*option;
+};
+
+constexpr OptionalLimit optional_limits[] = {
+    {DiagnosticId::nesting_too_deep, &ParseOptions::maximum_nesting},
+    {DiagnosticId::identifier_too_long, &ParseOptions::maximum_identifier_length},
+    {DiagnosticId::too_many_diagnostics, &ParseOptions::maximum_diagnostics},
+};
+
+[[nodiscard]] bool is_hit(const Case& one, const OptionalLimit& limit, int more) {
+    ParseOptions options = options_of(one);
+    options.*limit.option += static_cast<std::uint32_t>(more);
+    const SyntaxTree tree = parse(source_text_of(one), options);
+    return std::ranges::any_of(tree.diagnostics(),
+                               [&](const Diagnostic& found) { return found.id == limit.id; });
+}
+
+// Some case is exactly at the limit, and some one beyond.
+TEST(AnnexD, CasesOfALimitStandAtIt) {
+    for (const OptionalLimit& limit : optional_limits) {
+        const std::string tag = "Annex-D." + std::string(diagnostic_info(limit.id).name);
+        bool at = false;
+        bool beyond = false;
+        for (const CaseFile& file : all_case_files())
+            for (const Case& one : file.cases) {
+                if (std::ranges::find(one.tags, tag) == one.tags.end())
+                    continue;
+                const bool hit = is_hit(one, limit, 0);
+                at = at || (!hit && is_hit(one, limit, -1));
+                beyond = beyond || (hit && !is_hit(one, limit, 1));
+            }
+        EXPECT_TRUE(at) << tag;
+        EXPECT_TRUE(beyond) << tag;
     }
 }
 

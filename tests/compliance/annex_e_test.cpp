@@ -31,6 +31,7 @@ TEST(AnnexE, WhatIsTreatedHasAReportingAndASilentCase) {
             EXPECT_TRUE(has_reporting_case(tag, id)) << tag;
             EXPECT_TRUE(has_silent_case(tag, id)) << tag;
         }
+        EXPECT_TRUE(!is_treated(error) || has_case(tag, false)) << "none without a fault: " << tag;
     }
 }
 
