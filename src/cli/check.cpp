@@ -6,6 +6,7 @@
 #include "cli/platform.hpp"
 #include "cli/progress.hpp"
 
+#include <iecfront/compliance/annex_d.hpp>
 #include <iecfront/diagnostics/render_json.hpp>
 #include <iecfront/diagnostics/render_sarif.hpp>
 
@@ -79,11 +80,16 @@ private:
         findings_.add(nothing);
     }
 
-    // Lines that say which limits were hit.
+    // Lines that say which limits were hit, and of which parameter of Annex D.
     [[nodiscard]] std::vector<std::string> limits() const {
         std::vector<std::string> lines;
-        for (const DiagnosticId id : findings_.limits)
-            lines.push_back(code_string(id) + " " + std::string(diagnostic_info(id).name));
+        for (const DiagnosticId id : findings_.limits) {
+            std::string line = code_string(id) + " " + std::string(diagnostic_info(id).name);
+            if (const AnnexDParameter* const parameter = find_parameter(id))
+                line += " (Annex D, " + std::string(parameter->subclause) + ": " +
+                        std::string(parameter->parameter) + ")";
+            lines.push_back(std::move(line));
+        }
         return lines;
     }
 

@@ -3,6 +3,7 @@
 #include <iecfront/lexer/token.hpp>
 #include <iecfront/source/source_text.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -25,6 +26,13 @@ constexpr std::array rows = {
 
 std::span<const AnnexDParameter> annex_d() noexcept {
     return rows;
+}
+
+const AnnexDParameter* find_parameter(DiagnosticId diagnostic) noexcept {
+    const auto* const found = std::ranges::find_if(rows, [&](const AnnexDParameter& row) {
+        return row.diagnostic == diagnostic && row.subclause == diagnostic_info(diagnostic).clause;
+    });
+    return found == rows.end() ? nullptr : &*found;
 }
 
 std::string value_of(const AnnexDParameter& parameter) {

@@ -120,7 +120,9 @@ TEST_F(CheckCommand, ALimitGivesAStatusOfItsOwn) {
     const Outcome outcome = run({"check", "--max-nesting", "5", "deep.st"});
     EXPECT_EQ(outcome.status, 3);
     EXPECT_TRUE(contains(outcome.out, "deep.st:3:")) << outcome.out;
-    EXPECT_TRUE(contains(outcome.out, "\n  not examined: IEC9002 nesting-too-deep\n"))
+    EXPECT_TRUE(contains(
+        outcome.out,
+        "\n  not examined: IEC9002 nesting-too-deep (Annex D, 3.3.1: length of expressions)\n"))
         << outcome.out;
 }
 
@@ -128,7 +130,9 @@ TEST_F(CheckCommand, ALimitThatIsNotReportedIsStillSaid) {
     write("deep.st", deep_program);
     const Outcome outcome = run({"check", "--max-nesting", "5", "--allow", "limit", "deep.st"});
     EXPECT_EQ(outcome.status, 3);
-    EXPECT_TRUE(contains(outcome.out, "\n  not examined: IEC9002 nesting-too-deep\n"))
+    EXPECT_TRUE(contains(
+        outcome.out,
+        "\n  not examined: IEC9002 nesting-too-deep (Annex D, 3.3.1: length of expressions)\n"))
         << outcome.out;
 }
 
@@ -193,7 +197,8 @@ TEST_F(CheckCommand, JsonSaysWhatWasLeftOut) {
     ASSERT_TRUE(json.has_value()) << outcome.out;
     EXPECT_EQ((*json)["files"].text, "1");
     EXPECT_EQ((*json)["notExamined"][0].text, "missing.st: No such file or directory");
-    EXPECT_EQ((*json)["notExamined"][1].text, "IEC9002 nesting-too-deep");
+    EXPECT_EQ((*json)["notExamined"][1].text,
+              "IEC9002 nesting-too-deep (Annex D, 3.3.1: length of expressions)");
 }
 
 TEST_F(CheckCommand, SarifHoldsTheFindingsOfAllFilesAndTheirRules) {
@@ -228,7 +233,8 @@ TEST_F(CheckCommand, SarifSaysWhatCouldNotBeRead) {
     EXPECT_EQ(invocation["executionSuccessful"].text, "false");
     const JsonValue& notes = invocation["toolExecutionNotifications"];
     EXPECT_EQ(notes[0]["message"]["text"].text, "missing.st: No such file or directory");
-    EXPECT_EQ(notes[1]["message"]["text"].text, "IEC9002 nesting-too-deep");
+    EXPECT_EQ(notes[1]["message"]["text"].text,
+              "IEC9002 nesting-too-deep (Annex D, 3.3.1: length of expressions)");
 }
 
 TEST_F(CheckCommand, JsonAndSarifAreWellFormedForAnyBytes) {

@@ -14,11 +14,6 @@
 namespace iecfront::test {
 namespace {
 
-[[nodiscard]] const AnnexDParameter* find_parameter(DiagnosticId id) {
-    const auto found = std::ranges::find(annex_d(), id, &AnnexDParameter::diagnostic);
-    return found == annex_d().end() ? nullptr : &*found;
-}
-
 TEST(AnnexD, ValuesAreThoseOfTheCode) {
     const AnnexDParameter* const length = find_parameter(DiagnosticId::identifier_too_long);
     ASSERT_NE(length, nullptr);
@@ -30,6 +25,15 @@ TEST(AnnexD, ValuesAreThoseOfTheCode) {
     const AnnexDParameter* const nesting = find_parameter(DiagnosticId::nesting_too_deep);
     ASSERT_NE(nesting, nullptr);
     EXPECT_EQ(nesting->number, ParseOptions().maximum_nesting);
+}
+
+TEST(AnnexD, EachLimitHasItsParameter) {
+    for (const DiagnosticInfo& info : diagnostic_catalogue())
+        EXPECT_EQ(find_parameter(info.id) != nullptr,
+                  info.category == DiagnosticClass::limit ||
+                      info.category == DiagnosticClass::implementation_dependent)
+            << info.name;
+    EXPECT_EQ(find_parameter(DiagnosticId::nesting_too_deep)->parameter, "length of expressions");
 }
 
 TEST(AnnexD, EveryValueIsComplete) {

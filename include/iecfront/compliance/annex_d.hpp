@@ -34,6 +34,10 @@ struct AnnexDParameter {
 /// All parameters, in the order of the clauses.
 [[nodiscard]] IECFRONT_API std::span<const AnnexDParameter> annex_d() noexcept;
 
+/// The parameter that a diagnostic is about: the first of its clause. Null for one that is about
+/// none.
+[[nodiscard]] IECFRONT_API const AnnexDParameter* find_parameter(DiagnosticId diagnostic) noexcept;
+
 /// The value, or the treatment, in words.
 [[nodiscard]] IECFRONT_API std::string value_of(const AnnexDParameter& parameter);
 
