@@ -170,7 +170,10 @@ public:
         if (!diagnostic.fixes.empty())
             write_help(description(diagnostic.fixes.front(), source_.bytes(), source_.encoding()));
         const DiagnosticInfo& row = diagnostic_info(diagnostic.id);
-        if (row.category == DiagnosticClass::extension && severity == Severity::error)
+        // The one error of Annex E that can be taken for an extension.
+        const bool extension =
+            row.category == DiagnosticClass::extension || row.id == DiagnosticId::nested_comment;
+        if (extension && severity == Severity::error)
             write_help("`--allow " + std::string(row.name) + "` takes this extension");
     }
 

@@ -92,6 +92,9 @@ TEST(Extensions, EachIsRejectedWarnedOfAndTaken) {
             policy.set(extension.diagnostic, Severity::error);
             EXPECT_EQ(determine(reports, policy), Determination::violations) << row.name;
             EXPECT_NE(text().find(": error " + code_string(row.id)), std::string::npos);
+            EXPECT_NE(text().find("`--allow " + std::string(row.name) + "` takes this extension"),
+                      std::string::npos)
+                << row.name;
             policy.set(extension.diagnostic, Severity::warning);
             EXPECT_NE(text().find(": warning " + code_string(row.id)), std::string::npos);
             EXPECT_EQ(determine(reports, policy) == Determination::violations,
