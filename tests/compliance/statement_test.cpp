@@ -1,3 +1,5 @@
+#include "compliance/requirements.hpp"
+
 #include <iecfront/compliance/annex_d.hpp>
 #include <iecfront/compliance/annex_e.hpp>
 #include <iecfront/compliance/dialects.hpp>
@@ -36,6 +38,21 @@ TEST(Statement, HoldsEveryRegistry) {
         EXPECT_TRUE(contains(page, "\n| " + one.name + " | "));
     for (const std::string_view what : never_examined())
         EXPECT_TRUE(contains(page, what)) << what;
+}
+
+[[nodiscard]] bool is_met(char letter) {
+    return std::ranges::find(requirements, letter, &Requirement::letter)->met;
+}
+
+// 1.5.1 c), d) and g) are met as soon as nothing is left open, and not before.
+TEST(Statement, SaysInPartAsLongAsSomethingIsOpen) {
+    EXPECT_EQ(is_met('c'), never_examined().empty());
+    EXPECT_EQ(is_met('d'), std::ranges::none_of(annex_e(), [](const AnnexEError& error) {
+                  return error.treatment == ErrorTreatment::not_yet_examined;
+              }));
+    EXPECT_EQ(is_met('g'), std::ranges::none_of(annex_d(), [](const AnnexDParameter& one) {
+                  return one.kind == ParameterKind::choice && !one.diagnostic;
+              }));
 }
 
 // A bar in a cell of Markdown would begin the next one.
