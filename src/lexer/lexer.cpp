@@ -1,5 +1,6 @@
 #include "lexer/lexer.hpp"
 
+#include "diagnostics/sort_by_place.hpp"
 #include "lexer/characters.hpp"
 #include "lexer/comment_marks.hpp"
 #include "lexer/extents.hpp"
@@ -185,6 +186,8 @@ private:
     const char* begin_;
     const char* end_;                   // where the zero byte stands
     const char* line_feed_;             // the last one looked up, or the end
+    const char* line_begin_ = nullptr;  // from here to `line_end_` no line ends
+    const char* line_end_ = nullptr;    // the last one looked up
     const char* comment_end_ = nullptr; // the last one looked up
     // Behind these no `*)`, `*/`, `}` stands any more: nobody looks for one twice.
     const char* comment_end_missing_from_;
@@ -258,9 +261,7 @@ LexedText Lexer::run(bool at_file_start) {
                 first_on_line_ = true;
                 emit(TokenKind::end_of_unit, p, p);
                 cut_tokens();
-                std::ranges::stable_sort(result_.diagnostics, {}, [](const Diagnostic& diagnostic) {
-                    return diagnostic.range.begin;
-                });
+                sort_by_place(result_.diagnostics);
                 return std::move(result_);
             }
             p = unexpected(p);
@@ -1211,6 +1212,9 @@ const char* Lexer::caret(const char* begin) {
 
 // The line end at or behind `begin`, or the end of the text. Places asked for must grow.
 const char* Lexer::line_end(const char* begin) {
+    // A line may be the whole of a file, and have many comments.
+    if (line_begin_ <= begin && begin <= line_end_)
+        return line_end_;
     const auto find = [](const char* first, const char* last, char c) {
         const void* const found = std::memchr(first, c, static_cast<std::size_t>(last - first));
         return found != nullptr ? static_cast<const char*>(found) : last;
@@ -1218,7 +1222,8 @@ const char* Lexer::line_end(const char* begin) {
     // Looked up once for a text whose lines end in CR only.
     if (line_feed_ < begin || line_feed_ == begin_)
         line_feed_ = find(begin, end_, '\n');
-    return find(begin, line_feed_, '\r');
+    line_begin_ = begin;
+    return line_end_ = find(begin, line_feed_, '\r');
 }
 
 // Reports what nothing closes, at its opening, and gives it its first line: so the rest of the file

@@ -1,5 +1,6 @@
 #include "parser/unit_parser.hpp"
 
+#include "diagnostics/sort_by_place.hpp"
 #include "lexer/encoding_check.hpp"
 #include "parser/parser.hpp"
 #include "parser/repair.hpp"
@@ -135,11 +136,6 @@ private:
             reading = std::move(*repaired);
         parts.root = reading.root;
         std::ranges::move(reading.reports, std::back_inserter(parts.diagnostics));
-    }
-
-    static void sort_by_place(std::vector<Diagnostic>& diagnostics) {
-        std::ranges::stable_sort(diagnostics, {},
-                                 [](const Diagnostic& one) { return one.range.begin; });
     }
 
     const LexedUnits& source_;

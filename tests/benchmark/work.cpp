@@ -1,0 +1,84 @@
+// Does one step once, for programs that count instructions or time a whole process:
+//
+//     iecfront_work STEP TEXT SIZE
+//
+// TEXT is `generated` or the name of a shape; `iecfront_work shapes` lists these. Each step does
+// what those before it do, so that differences are what a step alone takes.
+
+#include "benchmark/generator.hpp"
+#include "benchmark/shapes.hpp"
+#include "parser/unit_parser.hpp"
+
+#include <iecfront/ast/visitor.hpp>
+#include <iecfront/diagnostics/render_text.hpp>
+#include <iecfront/parser/parse.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace iecfront::bench {
+namespace {
+
+[[nodiscard]] std::size_t count_nodes(const SyntaxTree& tree) {
+    std::size_t nodes = 0;
+    for (const SyntaxTree::Slot& slot : tree.slots())
+        ast::walk(slot.unit->root(), [&nodes](const ast::Node&) {
+            ++nodes;
+            return ast::Walk::into;
+        });
+    return nodes;
+}
+
+/// A number that depends on all that was done.
+[[nodiscard]] std::size_t do_step(std::string_view step, const SourceText& source) {
+    if (step == "text")
+        return source.bytes().size();
+    if (step == "lex_cut")
+        return lex_units(source.buffer(), source.encoding(), true, FragmentKind::library)
+            .cuts.size();
+    const SyntaxTree tree = parse(source);
+    if (step == "parse")
+        return tree.slots().size();
+    if (step == "walk")
+        return count_nodes(tree);
+    return render_text(tree.diagnostics(), source).size(); // report
+}
+
+[[nodiscard]] std::string text_of(std::string_view name, std::size_t size) {
+    const auto found = std::ranges::find(shapes(), name, &Shape::name);
+    return found == shapes().end() ? generate_source(size) : found->text(size);
+}
+
+void list_shapes() {
+    for (const Shape& shape : shapes())
+        std::printf("%s\n", std::string(shape.name).c_str());
+}
+
+int run(std::string_view step, std::string_view name, std::string_view size_word) {
+    std::size_t size = 0;
+    std::from_chars(size_word.data(), size_word.data() + size_word.size(), size);
+    const SourceText source(std::make_shared<const std::string>(text_of(name, size)), "text");
+    std::printf("%zu\n", do_step(step, source));
+    return 0;
+}
+
+} // namespace
+} // namespace iecfront::bench
+
+int main(int count, char** arguments) {
+    using namespace iecfront::bench;
+    if (count == 4)
+        return run(arguments[1], arguments[2], arguments[3]);
+    if (count == 2 && std::string_view(arguments[1]) == "shapes") {
+        list_shapes();
+        return 0;
+    }
+    std::fputs("usage: iecfront_work text|lex_cut|parse|walk|report TEXT SIZE\n"
+               "       iecfront_work shapes\n",
+               stderr);
+    return 2;
+}
