@@ -410,7 +410,10 @@ void Parser::report_reserved_word(std::uint32_t token) {
     const TextRange range = tokens_[token].range();
     for (const ReservedWord& word : reserved_words_)
         if (word.kind == keyword) {
-            std::vector<TextEdit>& edits = diagnostics_[word.diagnostic].fixes.front().edits;
+            std::vector<DiagnosticFix>& fixes = diagnostics_[word.diagnostic].fixes;
+            if (fixes.empty()) // taken back, as more is wrong there
+                return;
+            std::vector<TextEdit>& edits = fixes.front().edits;
             if (edits.back().range != range) {
                 edits.push_back({range, std::string(text(token)) + word.suffix});
                 count_as_name(keyword);
