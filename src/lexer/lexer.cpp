@@ -1317,8 +1317,7 @@ namespace {
 // True when some line of the stretch ends in `;`, or is a closing word, as in code and not in
 // prose.
 [[nodiscard]] bool looks_like_code(std::string_view stretch) noexcept {
-    for (std::size_t at = stretch.find("END_"); at != std::string_view::npos;
-         at = stretch.find("END_", at + 1)) {
+    for (std::size_t at = 0; (at = stretch.find("END_", at)) != std::string_view::npos;) {
         const std::size_t before = stretch.substr(0, at).find_last_not_of(" \t");
         const std::size_t behind = stretch.find_first_of(" \t;\r\n", at);
         const std::size_t next = stretch.find_first_not_of(" \t;", behind);
@@ -1328,6 +1327,7 @@ namespace {
             next == std::string_view::npos || stretch[next] == '\n' || stretch[next] == '\r';
         if (first && last && keyword_kind(stretch.substr(at, behind - at)) != TokenKind::identifier)
             return true;
+        at = behind; // another one in the same word begins no word
     }
     for (std::size_t at = stretch.find(';'); at != std::string_view::npos;
          at = stretch.find(';', at + 1)) {

@@ -1190,20 +1190,23 @@ const ast::Statement* Parser::parse_loop(ast::ForStatement* node) {
 
 /// Behind FOR: true at a head with `;` in it, as in C, or at `x IN a DO`.
 bool Parser::loop_head_of_other_language() const noexcept {
+    constexpr std::uint32_t furthest = 200; // bounds the time that a line full of FOR takes
     const bool parentheses = at(TokenKind::left_parenthesis);
     if (at(TokenKind::identifier) && names_equal(text(next(at_)), "IN"))
         return find_on_line(TokenKind::dot_dot) == count_ &&
                find_on_line(TokenKind::kw_to) == count_;
+    const auto goes_on = [this](std::uint32_t i) {
+        return i < count_ && i - at_ < furthest && !tokens_[i].first_on_line() &&
+               !part_words.contains(tokens_[i].kind());
+    };
     std::uint32_t i = next(at_);
-    while (i < count_ && !tokens_[i].first_on_line() && !part_words.contains(tokens_[i].kind()) &&
-           tokens_[i].kind() != TokenKind::semicolon)
+    while (goes_on(i) && tokens_[i].kind() != TokenKind::semicolon)
         i = next(i);
     if (tokens_[i].kind() != TokenKind::semicolon || tokens_[i].first_on_line() || parentheses)
         return tokens_[i].kind() == TokenKind::semicolon && !tokens_[i].first_on_line();
     if (is_semicolon_for_to(i))
         return false;
-    while (i < count_ && !tokens_[i].first_on_line() && !part_words.contains(tokens_[i].kind()) &&
-           !statement_words.contains(tokens_[i].kind()))
+    while (goes_on(i) && !statement_words.contains(tokens_[i].kind()))
         i = next(i);
     return tokens_[i].kind() == TokenKind::kw_do && !tokens_[i].first_on_line();
 }

@@ -172,6 +172,9 @@ constexpr std::array table = {
     Shape{"assign_then_closing", "PROGRAM p ", "x := ", "'", ") "},
     Shape{"repeat_misspelt", "PROGRAM p ", "REPEAT UNTILL a ", "\n", "x += "},
     Shape{"type_first", "PROGRAM p VAR ", "INT x, y : INT AT %I1 ", "\n", "!a | "},
+    Shape{"closing_words_in_one", "PROGRAM p (* ", "PROGRAM p\n ST FROM", "{ a", "END_WHILE"},
+    Shape{"for_on_one_line", "PROGRAM p ", "**END_FOR FOR"},
+    Shape{"unknown_then_arguments", "PROGRAM p f(", "$ ", "INT#5", "ENDIF ", "TO"},
     Shape{"inputs", "FUNCTION_BLOCK b VAR_INPUT a : INT := ", "(a:=2.5 3(", ":= ", "a:"},
 };
 
