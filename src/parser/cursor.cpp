@@ -25,15 +25,6 @@ Parser::Parser(std::string_view text, std::span<const Token> tokens,
 
 // ---- tokens -------------------------------------------------------------------------------------
 
-std::uint32_t Parser::behind_unknown(std::uint32_t index) const noexcept {
-    if (unknown_begin_ <= index && index < unknown_end_)
-        return unknown_end_;
-    unknown_begin_ = index;
-    while (tokens_[index].kind() == TokenKind::unknown)
-        ++index;
-    return unknown_end_ = index;
-}
-
 std::string_view Parser::text(std::uint32_t index) const noexcept {
     return text_.substr(tokens_[index].offset(), tokens_[index].length());
 }

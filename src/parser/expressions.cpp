@@ -865,7 +865,8 @@ bool Parser::semicolons_separate(bool formal) const noexcept {
 bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
     constexpr std::uint32_t furthest = 1000; // bounds the time that a list full of mistakes takes
     std::uint32_t depth = 0;
-    for (const std::uint32_t end = i + furthest; i < end; i = next(i)) {
+    // Through unknown tokens as well: there may be any number of them.
+    for (const std::uint32_t end = i + furthest; i < end; ++i) {
         switch (tokens_[i].kind()) {
         case TokenKind::left_parenthesis: ++depth; break;
         case TokenKind::right_parenthesis:
@@ -944,15 +945,15 @@ bool Parser::at_equal_for_assign(std::uint32_t open) const noexcept {
     static constexpr TokenSet look_alikes{TokenKind::equal, TokenKind::equal_equal};
     const bool in_invocation = open == invocation_ && peek() == TokenKind::equal_equal;
     return (at(TokenKind::identifier) || at(execution_control)) && look_alikes.contains(peek()) &&
-           argument_list_closes(next(open)) && (in_invocation || has_formal_argument(open));
+           argument_list_closes(open + 1) && (in_invocation || has_formal_argument(open));
 }
 
 /// True when `:=` or `=>` stands directly in the list that begins at `open`.
 bool Parser::has_formal_argument(std::uint32_t open) const noexcept {
     constexpr std::uint32_t furthest = 1000; // bounds the time that a list full of mistakes takes
     std::uint32_t depth = 1;
-    for (std::uint32_t i = next(open); depth > 0 && i != count_ && i - open < furthest;
-         i = next(i)) {
+    // Through unknown tokens as well: there may be any number of them.
+    for (std::uint32_t i = open + 1; depth > 0 && i < count_ && i - open < furthest; ++i) {
         const TokenKind here = tokens_[i].kind();
         depth += here == TokenKind::left_parenthesis ? 1 : 0;
         depth -= here == TokenKind::right_parenthesis ? 1 : 0;

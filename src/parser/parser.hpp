@@ -74,12 +74,11 @@ private:
     [[nodiscard]] std::uint32_t next(std::uint32_t index) const noexcept {
         if (tokens_[index].kind() == TokenKind::end_of_unit)
             return index;
-        ++index;
-        return tokens_[index].kind() == TokenKind::unknown ? behind_unknown(index) : index;
+        do
+            ++index;
+        while (tokens_[index].kind() == TokenKind::unknown);
+        return index;
     }
-    /// The first token from `index` on that is known. A run of unknown ones, which may be megabytes
-    /// of anything, is gone through once.
-    [[nodiscard]] std::uint32_t behind_unknown(std::uint32_t index) const noexcept;
     [[nodiscard]] TokenKind peek() const noexcept { return tokens_[next(at_)].kind(); }
     [[nodiscard]] TokenKind peek_second() const noexcept { return tokens_[next(next(at_))].kind(); }
     [[nodiscard]] std::string_view text(std::uint32_t index) const noexcept;
@@ -898,8 +897,6 @@ private:
         std::size_t diagnostic;
         std::string suffix; // that makes it a name of its own
     };
-    mutable std::uint32_t unknown_begin_ = 0; // the run of unknown tokens looked at last
-    mutable std::uint32_t unknown_end_ = 0;
     std::vector<ReservedWord> reserved_words_;              // keywords used as names in this unit
     std::vector<std::uint32_t> standard_names_;             // the same for standard names: hashes
     std::array<std::int32_t, token_kind_count> unclosed_{}; // by closing word, see unclosed()
