@@ -21,7 +21,9 @@ constexpr std::array<std::string_view, 36> il_operators{
     "LT", "LE",  "NE",   "CAL", "CALC", "CALCN", "RET", "RETC", "RETCN", "JMP", "JMPC", "JMPCN"};
 
 bool is_il_operator(std::string_view word) noexcept {
-    return std::any_of(il_operators.begin(), il_operators.end(),
+    constexpr std::size_t longest = 5; // most names are longer
+    return word.size() <= longest &&
+           std::any_of(il_operators.begin(), il_operators.end(),
                        [word](std::string_view op) { return names_equal(word, op); });
 }
 

@@ -426,7 +426,8 @@ const ast::Expression* Parser::parse_data_sink() {
 
 /// Part of data_source, prog_data_source, data_sink: what they have in common; expressions are an
 /// extension (6.1 D31).
-const ast::Expression* Parser::parse_connection_operand(std::string what, bool program_output) {
+const ast::Expression* Parser::parse_connection_operand(std::string_view what,
+                                                        bool program_output) {
     if (at_next_declaration())
         return parse_missing_expression();
     if (at(TokenKind::direct_variable))
@@ -436,17 +437,18 @@ const ast::Expression* Parser::parse_connection_operand(std::string what, bool p
     if (at(TokenKind::identifier) || (at_operand_keyword() && !at_literal())) {
         const ast::Expression* path = parse_symbolic_variable();
         if (operator_strength(kind()) == 0) {
-            check_reference(*path, std::move(what), program_output);
+            check_reference(*path, what, program_output);
             return path;
         }
         const ast::Expression* expression = parse_binary_rest(path, 1);
-        report_node(*expression, DiagnosticId::long_reference, {"an expression", std::move(what)});
+        report_node(*expression, DiagnosticId::long_reference,
+                    {"an expression", std::string(what)});
         return expression;
     }
     const ast::Expression* value = parse_expression();
     if (!value->missing && !ast::is<ast::Constant>(value->kind) &&
         value->kind != ast::NodeKind::error_expression)
-        report_node(*value, DiagnosticId::long_reference, {"an expression", std::move(what)});
+        report_node(*value, DiagnosticId::long_reference, {"an expression", std::string(what)});
     return value;
 }
 
@@ -461,7 +463,8 @@ const ast::Expression* Parser::parse_symbolic_variable() {
 // global_var_reference = [ resource_name "." ] global_var_name [ "." structure_element_name ] ;
 // program_output_reference = program_name "." symbolic_variable ;
 /// Subscripts and longer paths are an extension otherwise (6.1 D32).
-void Parser::check_reference(const ast::Expression& path, std::string what, bool program_output) {
+void Parser::check_reference(const ast::Expression& path, std::string_view what,
+                             bool program_output) {
     const PathForm form = form_of(path);
     const bool global = !form.subscripts && form.names <= 3;
     if (!form.call && (global || (program_output && form.begins_with_member)))
@@ -470,7 +473,7 @@ void Parser::check_reference(const ast::Expression& path, std::string what, bool
                 {form.call || form.subscripts
                      ? "a path with subscripts or a call"
                      : "a path of " + std::to_string(form.names) + " names",
-                 std::move(what)});
+                 std::string(what)});
 }
 
 /// A symbolic_variable has no call in it.

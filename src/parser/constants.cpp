@@ -106,7 +106,7 @@ bool Parser::is_faulty(const ast::Expression& expression, std::size_t reports) c
 
 /// Part of subrange, subrange_spec_init: where the standard has a `signed_integer` only. Other
 /// numbers and expressions are an extension.
-const ast::Expression* Parser::parse_constant_expression(std::string what) {
+const ast::Expression* Parser::parse_constant_expression(std::string_view what) {
     if (at_sign_apart_from_number() && peek() == TokenKind::integer)
         return parse_constant_behind_gap();
     const std::uint32_t first = at_;
@@ -121,28 +121,28 @@ const ast::Expression* Parser::parse_constant_expression(std::string what) {
     if (other_constant)
         report_node(*expression, DiagnosticId::unexpected_token, {"an integer", quoted(first)});
     else
-        report_not_plain(*expression, std::move(what));
+        report_not_plain(*expression, what);
     return expression;
 }
 
 /// A constant in a notation, or an expression, that the standard does not have in this place.
-void Parser::report_not_plain(const ast::Expression& expression, std::string what) {
+void Parser::report_not_plain(const ast::Expression& expression, std::string_view what) {
     const TokenKind first = tokens_[expression.first_token].kind();
     const bool constant = ast::is<ast::Constant>(expression.kind);
     const char* found = !constant                           ? "an expression"
                         : first == TokenKind::based_integer ? "a number with a base"
                         : first == TokenKind::typed_literal ? "a number with a type"
                                                             : "a number with a sign";
-    report_node(expression, DiagnosticId::constant_expression, {std::move(what), found});
+    report_node(expression, DiagnosticId::constant_expression, {std::string(what), found});
 }
 
 // integer = digit { [ "_" ] digit } ;
 /// Other numbers and expressions are an extension.
-const ast::Expression* Parser::parse_integer(std::string what) {
+const ast::Expression* Parser::parse_integer(std::string_view what) {
     const bool sign = at(TokenKind::minus) || at(TokenKind::plus);
     const ast::Expression* expression = parse_constant_expression(what);
     if (sign && is_signed_integer(*expression))
-        report_not_plain(*expression, std::move(what));
+        report_not_plain(*expression, what);
     return expression;
 }
 

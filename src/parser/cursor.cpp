@@ -25,10 +25,6 @@ Parser::Parser(std::string_view text, std::span<const Token> tokens,
 
 // ---- tokens -------------------------------------------------------------------------------------
 
-std::string_view Parser::text(std::uint32_t index) const noexcept {
-    return text_.substr(tokens_[index].offset(), tokens_[index].length());
-}
-
 bool Parser::at_word(std::string_view word) const noexcept {
     return at(TokenKind::identifier) && names_equal(text(at_), word);
 }
@@ -305,18 +301,18 @@ const ast::Identifier* Parser::make_identifier() {
     return finish(name);
 }
 
-const ast::Identifier* Parser::make_missing_identifier(std::string what) {
+const ast::Identifier* Parser::make_missing_identifier(std::string_view what) {
     if (at_next_declaration()) {
-        report_unfinished(DiagnosticId::missing_name, {std::move(what), describe(at_)});
+        report_unfinished(DiagnosticId::missing_name, {std::string(what), describe(at_)});
         return make_missing<ast::Identifier>();
     }
-    report_at(at_, DiagnosticId::missing_name, {std::move(what), describe(at_)});
+    report_at(at_, DiagnosticId::missing_name, {std::string(what), describe(at_)});
     return make_missing<ast::Identifier>();
 }
 
 // identifier = ( letter | "_" ( letter | digit ) ) { [ "_" ] ( letter | digit ) } ;
 /// A name that is used.
-const ast::Identifier* Parser::parse_name(std::string what) {
+const ast::Identifier* Parser::parse_name(std::string_view what) {
     if (at(TokenKind::identifier)) {
         const ast::Identifier* name = make_identifier();
         check_standard_name(tokens_[name->first_token].range(), name->hash, NameUse::other);
@@ -326,11 +322,11 @@ const ast::Identifier* Parser::parse_name(std::string what) {
     if (is_keyword(kind()) && !at_next_declaration() &&
         (used_as_name(kind()) || at_operand_keyword() || behind_parameter.contains(peek())))
         return take_reserved_word();
-    return make_missing_identifier(std::move(what));
+    return make_missing_identifier(what);
 }
 
 /// Part of identifier: one that is declared.
-const ast::Identifier* Parser::parse_declared_name(std::string what) {
+const ast::Identifier* Parser::parse_declared_name(std::string_view what) {
     // A keyword is taken for a name when what follows can only follow a name.
     static constexpr TokenSet after_name{TokenKind::colon,
                                          TokenKind::comma,
@@ -345,7 +341,7 @@ const ast::Identifier* Parser::parse_declared_name(std::string what) {
     if (is_keyword(kind()) && (after_name.contains(peek()) || alone))
         return take_reserved_word();
     if (!at(TokenKind::identifier))
-        return make_missing_identifier(std::move(what));
+        return make_missing_identifier(what);
     const ast::Identifier* name = make_identifier();
     check_standard_name(tokens_[name->first_token].range(), name->hash, NameUse::declaration);
     return name;

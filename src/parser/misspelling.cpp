@@ -33,7 +33,8 @@ Letters letters_of(std::string_view word) noexcept {
 
 // Damerau-Levenshtein distance of neighbours (optimal string alignment).
 std::size_t distance(const Letters& a, const Letters& b) noexcept {
-    std::array<std::array<std::size_t, longest_keyword + 1>, longest_keyword + 1> d{};
+    // Nothing of it is read before it is written.
+    std::array<std::array<std::size_t, longest_keyword + 1>, longest_keyword + 1> d;
     for (std::size_t i = 0; i <= a.size; ++i)
         d[i][0] = i;
     for (std::size_t j = 0; j <= b.size; ++j)

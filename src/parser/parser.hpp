@@ -81,7 +81,9 @@ private:
     }
     [[nodiscard]] TokenKind peek() const noexcept { return tokens_[next(at_)].kind(); }
     [[nodiscard]] TokenKind peek_second() const noexcept { return tokens_[next(next(at_))].kind(); }
-    [[nodiscard]] std::string_view text(std::uint32_t index) const noexcept;
+    [[nodiscard]] std::string_view text(std::uint32_t index) const noexcept {
+        return {text_.data() + tokens_[index].offset(), tokens_[index].length()};
+    }
     /// True when the current token is an identifier spelt `word` (in upper case) in any case.
     [[nodiscard]] bool at_word(std::string_view word) const noexcept;
     /// No byte stands between the current token and the next.
@@ -248,11 +250,11 @@ private:
 
     // ---- cursor.cpp: names ----------------------------------------------------------------------
     const ast::Identifier* make_identifier();
-    const ast::Identifier* make_missing_identifier(std::string what);
+    const ast::Identifier* make_missing_identifier(std::string_view what);
     /// A name that is used. Keywords in its place are taken for one when nothing else can be meant.
-    const ast::Identifier* parse_name(std::string what);
+    const ast::Identifier* parse_name(std::string_view what);
     /// A name that is declared; names of standard functions and function blocks are reported.
-    const ast::Identifier* parse_declared_name(std::string what);
+    const ast::Identifier* parse_declared_name(std::string_view what);
     void report_reserved_word(std::uint32_t token);
     [[nodiscard]] std::string free_suffix(std::string_view word) const;
     const ast::Identifier* take_reserved_word();
@@ -287,7 +289,12 @@ private:
     [[nodiscard]] bool at_foreign_closer();
     [[nodiscard]] bool at_mismatched_closer();
     /// How many more blocks of this kind begin in the unit than are closed.
-    [[nodiscard]] std::int32_t& unclosed(TokenKind closer);
+    [[nodiscard]] std::int32_t& unclosed(TokenKind closer) noexcept {
+        if (!balances_known_)
+            count_balances();
+        return unclosed_[static_cast<std::size_t>(closer)];
+    }
+    void count_balances() noexcept;
     void count_as_name(TokenKind word);
     [[nodiscard]] static TokenKind closer_of(TokenKind opener) noexcept;
     [[nodiscard]] bool opens_block(TokenKind word);
@@ -304,7 +311,7 @@ private:
     bool accept_semicolon();
     [[nodiscard]] std::uint32_t end_of_declaration_with_stray_word();
     void skip_stray_word_in_declaration(std::uint32_t end);
-    void drop_word_before_declaration(const std::string& what);
+    void drop_word_before_declaration(std::string_view what);
     void expect_semicolon_of_declaration();
     void report_missing_semicolon();
     void report_left_out_semicolon();
@@ -314,13 +321,13 @@ private:
     [[nodiscard]] bool at_literal() const noexcept;
     [[nodiscard]] bool at_signed_number() const noexcept;
     [[nodiscard]] bool is_signed_integer(const ast::Expression& expression) const noexcept;
-    const ast::Expression* parse_constant_expression(std::string what);
+    const ast::Expression* parse_constant_expression(std::string_view what);
     [[nodiscard]] bool at_sign_apart_from_number() const noexcept;
     const ast::Expression* parse_constant_behind_gap();
     [[nodiscard]] bool is_faulty(const ast::Expression& expression,
                                  std::size_t reports) const noexcept;
-    const ast::Expression* parse_integer(std::string what);
-    void report_not_plain(const ast::Expression& expression, std::string what);
+    const ast::Expression* parse_integer(std::string_view what);
+    void report_not_plain(const ast::Expression& expression, std::string_view what);
 
     // ---- types.cpp: B.1.3
     enum class StructureUse { named, anonymous };
@@ -334,7 +341,7 @@ private:
     void skip_block_words(std::optional<Report>& report);
     const ast::TypeSpecification* parse_type_behind_struct(StructureUse use);
     void parse_structure_elements(ast::StructureDeclaration& structure, std::uint32_t opener);
-    const ast::ErrorDeclaration* parse_error_declaration(std::string what);
+    const ast::ErrorDeclaration* parse_error_declaration(std::string_view what);
     void report_empty_block(std::uint32_t opener);
     void expect_colon();
     [[nodiscard]] bool colon_follows_on_line() const noexcept;
@@ -449,7 +456,7 @@ private:
     const ast::ProgramDeclaration* parse_program_declaration();
     ast::List<ast::VariableDeclarations> parse_declaration_blocks(Place place);
     [[nodiscard]] bool at_type_before_name() const noexcept;
-    const ast::Identifier* parse_unit_name(std::string what);
+    const ast::Identifier* parse_unit_name(std::string_view what);
     [[nodiscard]] bool at_keyword_for_unit_name();
     const ast::TypeSpecification* parse_result_type();
     void skip_parameters();
@@ -494,7 +501,7 @@ private:
     const ast::Expression* parse_time_of_qualifier();
     const ast::Expression* parse_action_time();
     const ast::Expression* parse_indicator();
-    const ast::Expression* parse_parameter_of_action(std::string what);
+    const ast::Expression* parse_parameter_of_action(std::string_view what);
     const ast::Transition* parse_transition();
     const ast::Identifier* parse_optional_transition_name();
     [[nodiscard]] bool begins_priority(std::uint32_t index) const noexcept;
@@ -542,9 +549,9 @@ private:
     const ast::Expression* parse_data_source();
     const ast::Expression* parse_prog_data_source();
     const ast::Expression* parse_data_sink();
-    const ast::Expression* parse_connection_operand(std::string what, bool program_output);
+    const ast::Expression* parse_connection_operand(std::string_view what, bool program_output);
     const ast::Expression* parse_symbolic_variable();
-    void check_reference(const ast::Expression& path, std::string what, bool program_output);
+    void check_reference(const ast::Expression& path, std::string_view what, bool program_output);
     void check_symbolic_variable(const ast::Expression& path);
     const ast::Expression* parse_direct_variable_of_resource(Place place);
     const ast::AccessDeclaration* parse_access_declaration(Place place);

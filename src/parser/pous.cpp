@@ -53,11 +53,11 @@ bool Parser::at_type_before_name() const noexcept {
 // derived_function_block_name = identifier ;
 // program_type_name = identifier ;
 /// The name may stand on the next line, but what begins a statement there is none.
-const ast::Identifier* Parser::parse_unit_name(std::string what) {
+const ast::Identifier* Parser::parse_unit_name(std::string_view what) {
     accept_foreign_modifiers();
     if (token().first_on_line() && at_statement_start())
-        return make_missing_identifier(std::move(what));
-    return at_keyword_for_unit_name() ? take_reserved_word() : parse_declared_name(std::move(what));
+        return make_missing_identifier(what);
+    return at_keyword_for_unit_name() ? take_reserved_word() : parse_declared_name(what);
 }
 
 /// True at a keyword on the line of the head that begins neither a declaration nor a statement.

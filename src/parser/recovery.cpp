@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace iecfront {
 namespace {
@@ -89,18 +88,16 @@ bool Parser::is_open(TokenKind closer) const noexcept {
 }
 
 /// All balances are counted in one pass, when the first one is asked for.
-std::int32_t& Parser::unclosed(TokenKind closer) {
-    if (!std::exchange(balances_known_, true)) {
-        std::array<std::int32_t, token_kind_count> tokens{};
-        for (std::uint32_t i = 0; i < count_; ++i)
-            ++tokens[static_cast<std::size_t>(tokens_[i].kind())];
-        for (const BlockWords& words : blocks)
-            unclosed_[static_cast<std::size_t>(words.closer)] +=
-                tokens[static_cast<std::size_t>(words.opener)];
-        for (std::size_t i = 0; i < unclosed_.size(); ++i)
-            unclosed_[i] -= closers.contains(static_cast<TokenKind>(i)) ? tokens[i] : 0;
-    }
-    return unclosed_[static_cast<std::size_t>(closer)];
+void Parser::count_balances() noexcept {
+    balances_known_ = true;
+    std::array<std::int32_t, token_kind_count> tokens{};
+    for (std::uint32_t i = 0; i < count_; ++i)
+        ++tokens[static_cast<std::size_t>(tokens_[i].kind())];
+    for (const BlockWords& words : blocks)
+        unclosed_[static_cast<std::size_t>(words.closer)] +=
+            tokens[static_cast<std::size_t>(words.opener)];
+    for (std::size_t i = 0; i < unclosed_.size(); ++i)
+        unclosed_[i] -= closers.contains(static_cast<TokenKind>(i)) ? tokens[i] : 0;
 }
 
 TokenKind Parser::closer_of(TokenKind opener) noexcept {
@@ -180,6 +177,8 @@ std::uint32_t Parser::second_of_split_word() const noexcept {
 
 /// `END IF`, `END-IF`, `END _IF`, `END_ IF` or `END_FUNCTION BLOCK`.
 bool Parser::at_split_word(std::string_view closer) const noexcept {
+    if (!names_equal(text(at_).substr(0, 3), "END")) // as nearly all words, which are read here
+        return false;
     const std::uint32_t second = second_of_split_word();
     const std::string_view rest = text(second);
     if (tokens_[second].first_on_line())
@@ -277,7 +276,7 @@ bool Parser::join_missing_closer(const std::string& words) {
 
 void Parser::close_block(std::string_view terminator) {
     const OpenBlock block = open_.back();
-    const std::string closer(spelling(block.closer));
+    const std::string_view closer = spelling(block.closer);
     closer_assumed_ = false;
     if (at(block.closer)) {
         if (closes_outer_block() && unclosed(block.closer) > 0)
@@ -292,15 +291,15 @@ void Parser::close_block(std::string_view terminator) {
         const TextRange words = token_range(first, at_ + 1);
         if (!tokens_[first].malformed()) // else it was reported
             report(DiagnosticId::misspelt_word, words,
-                   {std::string(text_.substr(words.begin, words.size())), closer})
-                .replace(words, closer);
+                   {std::string(text_.substr(words.begin, words.size())), std::string(closer)})
+                .replace(words, std::string(closer));
         advance();
         --unclosed(block.closer);
     } else if (at_mismatched_closer() || at_unknown_closer_for_innermost()) {
         report_at(at_, DiagnosticId::mismatched_closing_word,
-                  {std::string(text(at_)), std::string(text(block.opener)), closer})
+                  {std::string(text(at_)), std::string(text(block.opener)), std::string(closer)})
             .label(LabelId::opened_here, block.opener)
-            .replace(token().range(), closer);
+            .replace(token().range(), std::string(closer));
         --unclosed(block.closer);
         ++unclosed(kind());
         advance();
@@ -484,11 +483,12 @@ void Parser::skip_stray_word_in_declaration(std::uint32_t end) {
 }
 
 /// `CASE x : INT;`: a word that does not belong there, and a declaration behind it.
-void Parser::drop_word_before_declaration(const std::string& what) {
+void Parser::drop_word_before_declaration(std::string_view what) {
     if (at(TokenKind::identifier) || peek() != TokenKind::identifier ||
         !after_names.contains(peek_second()) || end_of_declaration_with_stray_word() == at_)
         return;
-    report_at(at_, DiagnosticId::not_a_declaration, {what, describe(at_)}).remove(token().range());
+    report_at(at_, DiagnosticId::not_a_declaration, {std::string(what), describe(at_)})
+        .remove(token().range());
     count_as_name(kind());
     advance();
 }

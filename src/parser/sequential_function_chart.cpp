@@ -464,7 +464,7 @@ const ast::Expression* Parser::parse_indicator() {
 
 /// Part of action_time, indicator_name: a simple name (6.1 D27); a part of a variable, or an
 /// expression, is an extension.
-const ast::Expression* Parser::parse_parameter_of_action(std::string what) {
+const ast::Expression* Parser::parse_parameter_of_action(std::string_view what) {
     const std::size_t reports = diagnostics_.size();
     const std::uint32_t first = at_;
     const bool control = at(execution_control) && !used_as_name(kind());
@@ -475,7 +475,7 @@ const ast::Expression* Parser::parse_parameter_of_action(std::string what) {
         expression->kind == ast::NodeKind::variable_name)
         return expression;
     if (ast::is<ast::Constant>(expression->kind)) {
-        report_node(*expression, DiagnosticId::unexpected_token, {std::move(what), "a constant"});
+        report_node(*expression, DiagnosticId::unexpected_token, {std::string(what), "a constant"});
         return expression;
     }
     const char* found = nullptr;
@@ -485,7 +485,7 @@ const ast::Expression* Parser::parse_parameter_of_action(std::string what) {
     case ast::NodeKind::direct_variable: found = "a directly represented variable"; break;
     default: found = "an expression"; break;
     }
-    report_node(*expression, DiagnosticId::parameter_of_action, {found, std::move(what)});
+    report_node(*expression, DiagnosticId::parameter_of_action, {found, std::string(what)});
     return expression;
 }
 

@@ -119,7 +119,7 @@ bool Parser::belongs_to_outer_if() noexcept {
 
 /// `ELSEIF`, `ELIF` and the like, with its THEN.
 bool Parser::at_misspelt_elsif() const noexcept {
-    return at(TokenKind::identifier) && !open_.back().in_else &&
+    return at(TokenKind::identifier) && !open_.back().in_else && peek() != TokenKind::assign &&
            is_misspelling(text(at_), spelling(TokenKind::kw_elsif)) &&
            find_on_line(TokenKind::kw_then) < count_;
 }
@@ -136,9 +136,9 @@ bool Parser::at_misspelt_else() const noexcept {
     const TokenKind innermost = open_.back().closer;
     return at(TokenKind::identifier) && !open_.back().in_else &&
            (innermost == TokenKind::kw_end_if || innermost == TokenKind::kw_end_case) &&
-           is_misspelling(text(at_), spelling(TokenKind::kw_else)) &&
            (tokens_[next(at_)].first_on_line() ? !at_statement_start()
-                                               : peek() == TokenKind::identifier);
+                                               : peek() == TokenKind::identifier) &&
+           is_misspelling(text(at_), spelling(TokenKind::kw_else));
 }
 
 /// `UNTILL` and the like, with its condition.

@@ -48,13 +48,13 @@ void Parser::report_empty_block(std::uint32_t opener) {
 
 /// In place of type_declaration, var_init_decl, structure_element_declaration: passes over what
 /// cannot begin a declaration, up to the next one.
-const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string what) {
+const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string_view what) {
     auto* error = make<ast::ErrorDeclaration>();
     if (at(TokenKind::semicolon)) {
         accept_extra_semicolon();
         return finish(error);
     }
-    report_at(at_, DiagnosticId::not_a_declaration, {std::move(what), describe(at_)});
+    report_at(at_, DiagnosticId::not_a_declaration, {std::string(what), describe(at_)});
     advance();
     skip_declaration();
     accept(TokenKind::semicolon);

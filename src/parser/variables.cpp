@@ -329,7 +329,6 @@ void Parser::check_block(const ast::VariableDeclarations& block, std::uint32_t q
                          Place place) {
     const BlockRow& row = block_rows[static_cast<std::size_t>(block.block)];
     const std::uint32_t opener = block.first_token;
-    const std::string word(text(opener));
     bool fits = true;
     std::string_view where = "library";
     switch (place) {
@@ -343,9 +342,10 @@ void Parser::check_block(const ast::VariableDeclarations& block, std::uint32_t q
     }
     if (!fits && place == Place::function &&
         (block.block == VariableBlock::var_external || block.block == VariableBlock::var_temp))
-        report_at(opener, DiagnosticId::block_in_function, {word});
+        report_at(opener, DiagnosticId::block_in_function, {std::string(text(opener))});
     else if (!fits)
-        report_at(opener, DiagnosticId::block_not_in_this_unit, {word, std::string(where)});
+        report_at(opener, DiagnosticId::block_not_in_this_unit,
+                  {std::string(text(opener)), std::string(where)});
     else
         check_qualifier(block, qualifier, place);
 }

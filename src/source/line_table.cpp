@@ -1,6 +1,7 @@
 #include <iecfront/source/line_table.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace iecfront {
@@ -16,10 +17,13 @@ constexpr std::uint64_t high_bits = 0x8080808080808080U;
     return word;
 }
 
-// The well-known test for a zero byte, on the word with the sought byte turned into zero.
-[[nodiscard]] constexpr bool holds_byte(std::uint64_t word, unsigned char byte) noexcept {
+// The high bits of the bytes in `word` that are `byte`. The lowest of them is exact, those above it
+// may be others: the well-known test for zero bytes, on the word with the sought byte turned into
+// zero.
+[[nodiscard]] constexpr std::uint64_t bytes_equal_to(unsigned char byte,
+                                                     std::uint64_t word) noexcept {
     const std::uint64_t difference = word ^ (ones * byte);
-    return ((difference - ones) & ~difference & high_bits) != 0;
+    return (difference - ones) & ~difference & high_bits;
 }
 
 [[nodiscard]] constexpr bool is_line_end(char c) noexcept {
@@ -31,8 +35,12 @@ constexpr std::uint64_t high_bits = 0x8080808080808080U;
 [[nodiscard]] std::size_t find_line_end(std::string_view text, std::size_t offset) noexcept {
     while (text.size() - offset >= word_size) {
         const std::uint64_t word = load_word(text.data() + offset);
-        if (holds_byte(word, '\n') || holds_byte(word, '\r'))
+        const std::uint64_t found = bytes_equal_to('\n', word) | bytes_equal_to('\r', word);
+        if (found != 0) {
+            if constexpr (std::endian::native == std::endian::little)
+                return offset + static_cast<std::size_t>(std::countr_zero(found)) / 8;
             break;
+        }
         offset += word_size;
     }
     while (offset < text.size() && !is_line_end(text[offset]))
@@ -60,6 +68,8 @@ constexpr std::uint64_t high_bits = 0x8080808080808080U;
 } // namespace
 
 LineTable::LineTable(std::string_view text) {
+    constexpr std::size_t usual_line = 32; // bytes; published programs have some more
+    starts_.reserve(text.size() / usual_line + 1);
     for (std::size_t at = find_line_end(text, 0); at < text.size(); at = find_line_end(text, at)) {
         const bool two_bytes = text[at] == '\r' && at + 1 < text.size() && text[at + 1] == '\n';
         at += two_bytes ? 2 : 1;
