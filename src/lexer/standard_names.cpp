@@ -205,8 +205,23 @@ constexpr SlotTable slots = slot_table();
     return false;
 }
 
+// True for the last two letters of a type: most names are told apart by them.
+[[nodiscard]] bool may_end_type(char before, char last) noexcept {
+    switch (last) {
+    case 'D': return before == 'R' || before == 'O';
+    case 'E': return before == 'M' || before == 'T';
+    case 'G': return before == 'N';
+    case 'L': return before == 'O' || before == 'A';
+    case 'T': return before == 'N' || before == 'D';
+    case 'Y': return before == 'A';
+    default: return false;
+    }
+}
+
 // The names that are built from others end in a type; DAY is the end of TIME_OF_DAY.
 [[nodiscard]] bool ends_in_type(std::string_view name) noexcept {
+    if (name.size() < 2 || !may_end_type(fold(name[name.size() - 2]), fold(name.back())))
+        return false;
     const std::size_t underscore = name.rfind('_');
     if (underscore == std::string_view::npos)
         return false;

@@ -39,10 +39,8 @@ bool Parser::begins_operand(TokenKind kind) noexcept {
            TokenSet::range(TokenKind::integer, TokenKind::date_and_time).contains(kind);
 }
 
-/// True when a step, transition or action begins at token `index`.
-bool Parser::begins_chart_element(std::uint32_t index) const noexcept {
-    if (!chart_openers.contains(tokens_[index].kind()))
-        return false;
+/// True when the word at token `index`, which can begin a step, transition or action, does so.
+bool Parser::is_chart_element_head(std::uint32_t index) const noexcept {
     const std::uint32_t second = next(index);
     const std::uint32_t third = next(second);
     const TokenKind name = tokens_[second].kind();
@@ -221,8 +219,16 @@ void Parser::BodySurvey::count_token(std::uint32_t index) noexcept {
 }
 
 void Parser::BodySurvey::survey() {
-    for (std::uint32_t i = begin_;
-         !unit_ends.contains(kind(i)) && kind(i) != closer_ && !is_decided(); i = parser_.next(i)) {
+    static constexpr TokenSet telling =
+        unit_ends | statement_closers | other_closers | chart_openers | chart_closers |
+        statement_words |
+        TokenSet{TokenKind::left_parenthesis, TokenKind::right_parenthesis, TokenKind::assign,
+                 TokenKind::equal, TokenKind::semicolon};
+    for (std::uint32_t i = begin_;; i = parser_.next(i)) {
+        if (!telling.contains(kind(i)) && !parser_.tokens_[i].first_on_line() && i != begin_)
+            continue;
+        if (unit_ends.contains(kind(i)) || kind(i) == closer_ || is_decided())
+            return;
         if (chart_closers.contains(kind(i)) || parser_.begins_chart_element(i)) {
             if (closer_ == TokenKind::kw_end_action && !begins_chart_ &&
                 parser_.unclosed(closer_) > 0)

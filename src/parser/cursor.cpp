@@ -43,7 +43,8 @@ bool Parser::on_same_line(std::uint32_t first, std::uint32_t second) const noexc
 std::uint32_t Parser::column(std::uint32_t index) const noexcept {
     const std::uint32_t offset = tokens_[index].offset();
     std::uint32_t begin = offset;
-    while (begin > 0 && text_[begin - 1] != '\n' && text_[begin - 1] != '\r')
+    const char* const text = text_.data();
+    while (begin > 0 && text[begin - 1] != '\n' && text[begin - 1] != '\r')
         --begin;
     return offset - begin;
 }
@@ -262,9 +263,9 @@ bool Parser::follows_unclosed() const {
     return false;
 }
 
-Parser::Report Parser::report_unexpected(std::string what) {
+Parser::Report Parser::report_unexpected(std::string_view what) {
     Report unexpected =
-        report_at(at_, DiagnosticId::unexpected_token, {std::move(what), describe(at_)});
+        report_at(at_, DiagnosticId::unexpected_token, {std::string(what), describe(at_)});
     const std::uint32_t behind = next(at_);
     if (at(closing_brackets) && !begins_operand_on_line(behind) &&
         !is_elementary_type_name(tokens_[behind].kind()))

@@ -68,6 +68,17 @@ OperatorRow operator_of_other_languages(std::string_view word, bool before_opera
     return {};
 }
 
+// What may be a binary operator, also one of another language or one that is misspelt.
+constexpr TokenSet possible_operators = [] {
+    TokenSet set{TokenKind::identifier,        TokenKind::assign,
+                 TokenKind::output_arrow,      TokenKind::equal_equal,
+                 TokenKind::exclamation_equal, TokenKind::caret};
+    for (std::size_t i = 0; i < token_kind_count; ++i)
+        if (operator_table[i].strength > 0)
+            set = set | TokenSet{static_cast<TokenKind>(i)};
+    return set;
+}();
+
 constexpr unsigned weakest = 1;
 constexpr unsigned equality = 4;
 constexpr unsigned relation = 5;
@@ -142,7 +153,7 @@ const ast::Expression* Parser::parse_binary(unsigned minimum) {
 
 /// Part of expression: precedence climbing over Table 55; all operators associate to the left.
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
-    for (;;) {
+    while (at(possible_operators)) {
         if (at_shift() && minimum <= relation) {
             left = parse_shift(left);
             continue;
@@ -180,6 +191,7 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
         node->right = alone ? make_missing<ast::ErrorExpression>() : parse_binary(row.strength + 1);
         left = finish(node);
     }
+    return left;
 }
 
 /// `<<` or `>>`.

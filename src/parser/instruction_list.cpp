@@ -606,7 +606,7 @@ std::uint32_t Parser::closing_parenthesis(std::uint32_t open) const noexcept {
 
 /// `closing` is what to insert for a `)` that is missing.
 void Parser::close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing,
-                                  std::string closing) {
+                                  std::string_view closing) {
     if (at(TokenKind::right_parenthesis)) {
         expect_line_end_in(missing, "before `)`");
         advance();
@@ -619,7 +619,7 @@ void Parser::close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing,
         if (at(TokenKind::comma) && at_line_end())
             report.insert(token().offset(), ")");
         else
-            report.insert(previous_end(), std::move(closing));
+            report.insert(previous_end(), std::string(closing));
     }
     --il_parentheses_;
     report_line_ends(missing);
@@ -848,10 +848,10 @@ bool Parser::at_end_of_operands() noexcept {
 }
 
 /// An operand, or a report that it is missing `after` what stands before it.
-const ast::Expression* Parser::expect_il_operand(std::string after) {
+const ast::Expression* Parser::expect_il_operand(std::string_view after) {
     if (!at_end_of_operands())
         return parse_il_operand();
-    report_missing(DiagnosticId::missing_operand, {std::move(after)});
+    report_missing(DiagnosticId::missing_operand, {std::string(after)});
     return make_missing<ast::ErrorExpression>();
 }
 

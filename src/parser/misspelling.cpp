@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 namespace iecfront {
 namespace {
@@ -49,6 +51,14 @@ std::size_t distance(const Letters& a, const Letters& b) noexcept {
     return d[a.size][b.size];
 }
 
+// The letters that a word has, a bit each. A wrong letter changes two bits at most.
+std::uint32_t letter_set(const Letters& word) noexcept {
+    std::uint32_t set = 0;
+    for (std::size_t i = 0; i < word.size; ++i)
+        set |= 1U << (static_cast<unsigned char>(word.data[i]) % 32);
+    return set;
+}
+
 } // namespace
 
 std::optional<std::size_t> misspelt_letters(std::string_view word,
@@ -59,7 +69,8 @@ std::optional<std::size_t> misspelt_letters(std::string_view word,
         return std::nullopt;
     const std::size_t allowed = b.size < 6 ? 1 : 2;
     const std::size_t difference = a.size < b.size ? b.size - a.size : a.size - b.size;
-    if (difference > allowed)
+    const int different_letters = std::popcount(letter_set(a) ^ letter_set(b));
+    if (difference > allowed || static_cast<std::size_t>(different_letters) > 2 * allowed)
         return std::nullopt;
     const std::size_t wrong = distance(a, b);
     return wrong <= allowed ? std::optional(wrong) : std::nullopt;

@@ -233,7 +233,7 @@ private:
     void report_unfinished(DiagnosticId id, Arguments arguments = {});
     /// "expected {what}, found {the current token}". A closing bracket that no operand follows gets
     /// its removal as a fix.
-    Report report_unexpected(std::string what);
+    Report report_unexpected(std::string_view what);
     [[nodiscard]] std::uint32_t previous_end() const noexcept;
     [[nodiscard]] std::string spaced(std::string words, TextRange range) const;
     [[nodiscard]] TextRange with_blank(TextRange range) const noexcept;
@@ -470,7 +470,10 @@ private:
     [[nodiscard]] LineKind line_kind(std::uint32_t index, LineKind before) const noexcept;
     [[nodiscard]] bool begins_deferred_operation(std::uint32_t index) const noexcept;
     [[nodiscard]] bool ends_operator(std::uint32_t index) const noexcept;
-    [[nodiscard]] bool begins_chart_element(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool begins_chart_element(std::uint32_t index) const noexcept {
+        return chart_openers.contains(tokens_[index].kind()) && is_chart_element_head(index);
+    }
+    [[nodiscard]] bool is_chart_element_head(std::uint32_t index) const noexcept;
     [[nodiscard]] bool body_begins_in_head();
 
     // ---- sequential_function_chart.cpp: B.1.6
@@ -627,6 +630,7 @@ private:
     // ---- statements.cpp: B.3.2
     const ast::StatementList* parse_statement_list(std::string_view where);
     void parse_statements(ListBuilder<ast::Statement>& statements);
+    [[nodiscard]] bool at_plain_assignment() const noexcept;
     [[nodiscard]] bool at_end_of_statements();
     void look_at_indentation() noexcept;
     [[nodiscard]] bool at_outdented_statement() const noexcept;
@@ -734,7 +738,7 @@ private:
     const ast::IlOperation* parse_structured_text_in_il();
     const ast::IlOperation* parse_il_error_operation();
     const ast::IlOperation* parse_too_deep_operation(std::uint32_t depth = 0);
-    const ast::Expression* expect_il_operand(std::string after);
+    const ast::Expression* expect_il_operand(std::string_view after);
     const ast::Expression* parse_il_operand();
     const ast::Expression* parse_next_il_operand();
     const ast::Expression* report_expression(const ast::Expression* expression);
@@ -789,7 +793,7 @@ private:
     void report_line_end();
     void report_operand_of(const IlOperatorRow& row);
     void close_il_parenthesis(std::uint32_t open, MissingLineEnds& missing,
-                              std::string closing = "\n)");
+                              std::string_view closing = "\n)");
     void check_variable(std::string_view writer, const ast::Expression& operand);
     void check_il_subscripts(const ast::Expression& variable);
     void skip_line();
@@ -806,7 +810,7 @@ private:
     void check_il_arguments(const ast::List<ast::Node>& arguments, std::uint32_t open);
     void expect_end_of_argument(MissingLineEnds& missing, bool closed, bool reported);
     void report_parenthesis_for_comma();
-    void drop_intruder(std::string expected);
+    void drop_intruder(std::string_view expected);
     void skip_argument();
     const ast::Node* parse_il_argument(bool formal);
     const ast::Identifier* parse_il_argument_name();

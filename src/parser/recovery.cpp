@@ -144,6 +144,10 @@ bool Parser::at_misspelt_closer() const noexcept {
     static constexpr TokenSet after_name{
         TokenKind::colon,        TokenKind::assign,           TokenKind::dot,
         TokenKind::left_bracket, TokenKind::left_parenthesis, TokenKind::caret};
+    static constexpr TokenSet behind_names = after_name | TokenSet{TokenKind::comma};
+    const Token behind = tokens_[next(at_)];
+    if (behind_names.contains(behind.kind()) && !behind.first_on_line())
+        return false;
     const std::string_view closer = spelling(open_.back().closer);
     if (at_split_word(closer))
         return true;

@@ -59,7 +59,14 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
 }
 
 /// True when what follows belongs to something that is open further out, or closes this list.
+// `name :=` begins an assignment, and no word that closes or parts a statement is misspelt so.
+bool Parser::at_plain_assignment() const noexcept {
+    return at(TokenKind::identifier) && tokens_[at_ + 1].kind() == TokenKind::assign;
+}
+
 bool Parser::at_end_of_statements() {
+    if (at_plain_assignment())
+        return unclosed(open_.back().closer) > 0 && at_outdented_statement();
     if (at(unit_ends) || at_foreign_closer() || at_chart_structure())
         return true;
     const TokenKind innermost = open_.back().closer;
@@ -86,16 +93,19 @@ bool Parser::at_end_of_statements() {
     if ((token().first_on_line() || at(TokenKind::integer)) && is_open(TokenKind::kw_end_case) &&
         at_case_label() && unclosed(innermost) > 0)
         return true;
-    return (at_misspelt_closer() || at_outdented_statement()) && unclosed(innermost) > 0;
+    return unclosed(innermost) > 0 && (at_misspelt_closer() || at_outdented_statement());
 }
 
 /// At the first statement of a block.
 void Parser::look_at_indentation() noexcept {
     OpenBlock& block = open_.back();
     block.column.reset();
-    if (statement_closers.contains(block.closer) && token().first_on_line() &&
-        tokens_[block.opener].first_on_line() && column(at_) > column(block.opener))
-        block.column = column(block.opener);
+    if (!statement_closers.contains(block.closer) || !token().first_on_line() ||
+        !tokens_[block.opener].first_on_line())
+        return;
+    const std::uint32_t outer = column(block.opener);
+    if (column(at_) > outer)
+        block.column = outer;
 }
 
 /// At a statement that by its column stands behind the innermost block.
@@ -358,6 +368,8 @@ bool Parser::at_condition_behind_statement() {
 // selection_statement = if_statement | case_statement ;
 // iteration_statement = for_statement | while_statement | repeat_statement | exit_statement ;
 const ast::Statement* Parser::parse_statement() {
+    if (at_plain_assignment() && missing_opener() == TokenKind::end_of_unit)
+        return parse_assignment(parse_variable_name());
     const bool name_of_keyword = at_keyword_for_variable();
     const TokenKind opener = at(block_statements) ? kind() : missing_opener();
     if (block_statements.contains(opener) && !name_of_keyword) {
@@ -1356,9 +1368,10 @@ const ast::Statement* Parser::parse_until_behind_closer(ast::RepeatStatement* no
 
 /// A word like `THNE` at the end of the head of a statement.
 bool Parser::accept_misspelt_word(TokenKind word) {
+    if (!at(TokenKind::identifier) || token().first_on_line())
+        return false;
     const std::string meant(spelling(word));
-    if (!at(TokenKind::identifier) || token().first_on_line() ||
-        !(tokens_[next(at_)].first_on_line() || begins_operand_on_line(next(at_)) ||
+    if (!(tokens_[next(at_)].first_on_line() || begins_operand_on_line(next(at_)) ||
           (meant.size() > 2 && !at_statement_start())) ||
         !is_misspelling(text(at_), meant))
         return false;
@@ -1382,7 +1395,7 @@ void Parser::expect_word(TokenKind word) {
         accept(word);
         return;
     }
-    if (accept_misspelt_word(word) || accept(word))
+    if (accept(word) || accept_misspelt_word(word))
         return;
     // What stands between here and the word on the same line was meant to be part of the head.
     const std::uint32_t found = token().first_on_line() ? count_ : find_on_line(word);
