@@ -6,7 +6,7 @@
 namespace iecfront {
 namespace {
 
-constexpr std::size_t smallest_chunk = 1024;
+constexpr std::size_t smallest_chunk = 512;
 
 } // namespace
 
@@ -33,8 +33,9 @@ void Arena::grow(std::size_t at_least) {
     chunks_.push_back(std::make_unique_for_overwrite<std::byte[]>(capacity_));
     chunk_ = chunks_.back().get();
     reserved_ += capacity_;
-    // Half of what there is: few chunks, and never more than about a third of all lies unused.
-    next_chunk_ = std::max(smallest_chunk, reserved_ / 2);
+    // A sixteenth of what there is: so little lies unused in the end. Half of it, for fewer chunks,
+    // made trees a fifth larger and reading no faster.
+    next_chunk_ = std::max(smallest_chunk, reserved_ / 16);
 }
 
 } // namespace iecfront

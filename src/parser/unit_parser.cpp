@@ -50,9 +50,9 @@ public:
     [[nodiscard]] bool done() const noexcept { return cut_ == source_.cuts.size(); }
 
 private:
-    /// Of arena for the tokens and nodes of a unit: about what typical source needs, so that a unit
-    /// takes one chunk or two.
-    static constexpr std::size_t bytes_per_token = 20;
+    /// Of arena for the tokens and nodes of a unit: less than most source needs, as what is left of
+    /// the first chunk is lost, while some more chunks cost little.
+    static constexpr std::size_t bytes_per_token = 24;
 
     std::span<const Token> take_tokens(std::uint32_t end_token, std::uint32_t end, Arena& arena) {
         const std::size_t count = end_token - token_;

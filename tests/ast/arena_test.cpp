@@ -45,7 +45,7 @@ TEST(Arena, GrowsInFewChunksAndWastesLittle) {
     for (std::size_t i = 0; i < total / 10; ++i)
         (void)arena.allocate(10, 1);
     EXPECT_GE(arena.reserved_bytes(), total);
-    EXPECT_LE(arena.reserved_bytes(), total + total / 2 + 1024);
+    EXPECT_LE(arena.reserved_bytes(), total + total / 8 + 1024);
 }
 
 TEST(Arena, TakesWhatIsLargerThanAChunk) {
