@@ -86,6 +86,25 @@ constexpr void for_each_child(const Node& node, Function&& function) {
     });
 }
 
+/// True when nodes of this kind can have children: of half of all nodes there is none to ask for.
+[[nodiscard]] constexpr bool can_have_children(NodeKind kind) noexcept {
+    constexpr auto holds_child =
+        []<class Struct, class Member>(const MemberDescription<Struct, Member>&) {
+            return is_child_member<Member> || is_list_member<Member>;
+        };
+    constexpr auto has_children = [holds_child](const auto& members) {
+        return std::apply(
+            [holds_child](const auto&... member) { return (... || holds_child(member)); }, members);
+    };
+    switch (kind) {
+#define IECFRONT_NODE(enumerator, Struct, Category, production)                                    \
+    case NodeKind::enumerator:                                                                     \
+        return has_children(Struct::members());
+#include <iecfront/ast/nodes.def>
+    }
+    return false;
+}
+
 /// True when both trees have the same nodes over the same token numbers, with equal members.
 [[nodiscard]] IECFRONT_API bool equal(const Node& a, const Node& b);
 

@@ -49,7 +49,20 @@ bool walk(const Node& root, Enter&& enter, Leave&& leave) {
 /// The same without `leave`.
 template<class Enter>
 bool walk(const Node& root, Enter&& enter) {
-    return walk(root, std::forward<Enter>(enter), [](const Node&) {});
+    std::vector<const Node*> pending{&root};
+    while (!pending.empty()) {
+        const Node& node = *pending.back();
+        pending.pop_back();
+        const Walk next = enter(node);
+        if (next == Walk::stop)
+            return false;
+        if (next == Walk::over || !can_have_children(node.kind))
+            continue;
+        const std::size_t begin = pending.size();
+        for_each_child(node, [&](const Node& child) { pending.push_back(&child); });
+        std::reverse(pending.begin() + static_cast<std::ptrdiff_t>(begin), pending.end());
+    }
+    return true;
 }
 
 /// True when the traversal class `V` has a `visit`, or a `leave`, that takes a `Struct`.
