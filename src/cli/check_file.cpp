@@ -52,7 +52,7 @@ namespace {
 [[nodiscard]] std::string as_objects(const std::vector<Diagnostic>& diagnostics,
                                      const SourceText& source, const CheckSettings& settings) {
     const auto render = settings.options.format == Format::sarif ? render_sarif : render_json;
-    const LineTable lines(source.bytes());
+    const LineTable lines(source.bytes(), source.encoding());
     std::string out;
     for (const Diagnostic& diagnostic : diagnostics) {
         const std::size_t before = out.size();
@@ -65,7 +65,7 @@ namespace {
 
 [[nodiscard]] std::string as_text(const std::vector<Diagnostic>& diagnostics,
                                   const SourceText& source, const CheckSettings& settings) {
-    const LineTable lines(source.bytes());
+    const LineTable lines(source.bytes(), source.encoding());
     const std::size_t most = settings.options.maximum_findings;
     std::size_t shown = 0;
     std::size_t hidden = 0;

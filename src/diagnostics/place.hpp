@@ -20,8 +20,10 @@ namespace iecfront {
 [[nodiscard]] inline Position position_of(std::uint32_t offset, const SourceText& source,
                                           const LineTable& lines) noexcept {
     const std::uint32_t line = lines.line_of(offset);
-    const std::uint32_t column = column_of(source.bytes(), lines.line_start(line), offset,
-                                           source.encoding(), ColumnUnit::code_points);
+    const LineTable::KnownColumn known = lines.known_column(offset);
+    const std::uint32_t column =
+        known.column - 1 +
+        column_of(source.bytes(), known.offset, offset, source.encoding(), ColumnUnit::code_points);
     return {line + source.origin().line, line == 0 ? column + source.origin().column - 1 : column};
 }
 

@@ -38,8 +38,7 @@ public:
         line_begin_ = lines.line_start(line);
         if (line == 0)
             line_begin_ += byte_order_mark_size(text_, encoding_);
-        line_end_ = offset_of_column(text_, lines.line_start(line), UINT32_MAX, encoding_,
-                                     ColumnUnit::bytes);
+        line_end_ = lines.line_end(text_, line);
         range_.begin = std::clamp(range_.begin, line_begin_, std::max(line_begin_, line_end_));
         range_.end = std::clamp(range_.end, range_.begin, std::max(range_.begin, line_end_));
     }
@@ -270,7 +269,7 @@ void render_text(std::string& out, const Diagnostic& diagnostic, Severity severi
 std::string render_text(std::span<const Diagnostic> diagnostics, const SourceText& source,
                         const SeverityPolicy& policy, const TextStyle& style) {
     std::string out;
-    const LineTable lines(source.bytes());
+    const LineTable lines(source.bytes(), source.encoding());
     for (const Diagnostic& diagnostic : diagnostics)
         render_text(out, diagnostic, policy.severity(diagnostic.id), source, lines, style);
     return out;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <iterator>
 
 namespace iecfront {
 namespace {
@@ -65,6 +66,17 @@ constexpr std::uint64_t high_bits = 0x8080808080808080U;
     return line_start == 0 ? byte_order_mark_size(text, encoding) : line_start;
 }
 
+// How many bytes of a character that goes on at `offset` stand before it; `begin` begins one.
+[[nodiscard]] std::uint32_t part_of_character_before(std::string_view text, std::uint32_t begin,
+                                                     std::uint32_t offset,
+                                                     Encoding encoding) noexcept {
+    constexpr std::uint32_t longest = 4; // bytes
+    for (std::uint32_t size = 1; size < longest && offset - begin >= size; ++size)
+        if (decode_character(text, offset - size, encoding).size > size)
+            return size;
+    return 0;
+}
+
 } // namespace
 
 // Most texts have LF only, which the standard library finds fastest.
@@ -82,6 +94,39 @@ LineTable::LineTable(std::string_view text) {
         at += two_bytes ? 2 : 1;
         starts_.push_back(static_cast<std::uint32_t>(at));
     }
+}
+
+LineTable::LineTable(std::string_view text, Encoding encoding) : LineTable(text) {
+    constexpr std::uint32_t stretch = 4096; // bytes between two columns that are noted
+    for (std::uint32_t line = 0; line <= line_end_count(); ++line) {
+        const std::uint32_t end = line_end(text, line);
+        KnownColumn known{line_start(line), 1};
+        while (end - known.offset > 2 * stretch) {
+            std::uint32_t next = known.offset + stretch;
+            next -= part_of_character_before(text, known.offset, next, encoding);
+            known.column +=
+                column_of(text, known.offset, next, encoding, ColumnUnit::code_points) - 1;
+            known.offset = next;
+            known_columns_.push_back(known);
+        }
+    }
+}
+
+std::uint32_t LineTable::line_end(std::string_view text, std::uint32_t line) const noexcept {
+    if (line == line_end_count())
+        return static_cast<std::uint32_t>(text.size());
+    const std::uint32_t next = line_start(line + 1);
+    const bool two_bytes =
+        next - line_start(line) > 1 && text[next - 1] == '\n' && text[next - 2] == '\r';
+    return next - (two_bytes ? 2 : 1);
+}
+
+LineTable::KnownColumn LineTable::known_column(std::uint32_t offset) const noexcept {
+    const KnownColumn start{line_start(line_of(offset)), 1};
+    const auto behind = std::ranges::upper_bound(known_columns_, offset, {}, &KnownColumn::offset);
+    if (behind == known_columns_.begin() || std::prev(behind)->offset < start.offset)
+        return start;
+    return *std::prev(behind);
 }
 
 std::uint32_t LineTable::line_of(std::uint32_t offset) const noexcept {

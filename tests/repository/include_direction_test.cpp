@@ -11,7 +11,7 @@ namespace {
 
 // A file includes files of its own stage and of those before it.
 constexpr std::array<std::string_view, 10> stages = {
-    "source", "diagnostics", "lexer",  "ast",   "parser",
+    "source", "diagnostics", "lexer",  "ast",     "parser",
     "sema",   "compliance",  "format", "builder", "cli"};
 
 constexpr std::size_t no_stage = stages.size();

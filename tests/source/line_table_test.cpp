@@ -1,8 +1,10 @@
 #include <iecfront/source/line_table.hpp>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
+#include <vector>
 
 using namespace iecfront;
 
@@ -31,6 +33,47 @@ TEST(LineTable, EachKindOfLineEndEndsOneLine) {
     EXPECT_EQ(starts("\n\r\r\n"), Starts({0, 1, 2, 4}));
     EXPECT_EQ(starts("a\n"), Starts({0, 2}));
     EXPECT_EQ(starts("a\r"), Starts({0, 2}));
+}
+
+// Columns that are noted in long lines are those that counting from the line's start gives, also
+// with characters of several bytes, broken ones and a byte order mark.
+TEST(LineTable, KnowsColumnsInLongLines) {
+    std::mt19937 random(1);
+    const std::vector<std::string> characters{
+        "a", "\xC3\x84", "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "\xFF", "\xE2\x82"};
+    for (const Encoding encoding : {Encoding::utf8, Encoding::iso_8859_1}) {
+        std::string text = "\xEF\xBB\xBF";
+        for (const std::size_t length : std::vector<std::size_t>{20'000, 10, 5'000, 30'000}) {
+            for (const std::size_t end = text.size() + length; text.size() < end;)
+                text += characters[random() % characters.size()];
+            text += "\r\n";
+        }
+        const LineTable plain(text);
+        const LineTable table(text, encoding);
+        std::uint32_t furthest = 0;
+        for (std::uint32_t offset = 0; offset <= text.size(); offset += 31) {
+            const std::uint32_t start = plain.line_start(plain.line_of(offset));
+            const LineTable::KnownColumn known = table.known_column(offset);
+            ASSERT_LE(known.offset, offset);
+            furthest = std::max(furthest, offset - known.offset);
+            ASSERT_EQ(known.column - 1 +
+                          column_of(text, known.offset, offset, encoding, ColumnUnit::code_points),
+                      column_of(text, start, offset, encoding, ColumnUnit::code_points))
+                << offset;
+        }
+        EXPECT_LT(furthest, 9'000U);
+    }
+}
+
+TEST(LineTable, FindsTheEndOfALine) {
+    const std::string_view text = "ab\r\nc\rd\n\ne";
+    const LineTable table(text);
+    EXPECT_EQ(table.line_end(text, 0), 2U);
+    EXPECT_EQ(table.line_end(text, 1), 5U);
+    EXPECT_EQ(table.line_end(text, 2), 7U);
+    EXPECT_EQ(table.line_end(text, 3), 8U);
+    EXPECT_EQ(table.line_end(text, 4), 10U);
+    EXPECT_EQ(LineTable().line_end("", 0), 0U);
 }
 
 TEST(LineTable, FindsTheLineOfAnOffset) {

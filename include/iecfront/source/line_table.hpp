@@ -33,6 +33,9 @@ public:
     LineTable() = default;
     /// Of `text`, which is looked through once.
     explicit LineTable(std::string_view text);
+    /// The same, with columns of long lines noted here and there, so that to ask for many places of
+    /// a giant line takes no longer than of short ones.
+    LineTable(std::string_view text, Encoding encoding);
 
     /// Number of line ends in the text: 0 for a text of a single line.
     [[nodiscard]] std::uint32_t line_end_count() const noexcept {
@@ -43,9 +46,21 @@ public:
     [[nodiscard]] std::uint32_t line_of(std::uint32_t offset) const noexcept;
     /// Offset of the first byte of 0-based `line`; `line <= line_end_count()`.
     [[nodiscard]] std::uint32_t line_start(std::uint32_t line) const noexcept;
+    /// Offset of the line end, or of the end of `text`; `text` is what the table was made of.
+    [[nodiscard]] std::uint32_t line_end(std::string_view text, std::uint32_t line) const noexcept;
+
+    /// A place in a line whose column is known.
+    struct KnownColumn {
+        std::uint32_t offset = 0; ///< where a character begins
+        std::uint32_t column = 1; ///< 1-based, in code points
+    };
+    /// The last one noted at or before `offset` in its line: the start of the line, or a place
+    /// further on.
+    [[nodiscard]] KnownColumn known_column(std::uint32_t offset) const noexcept;
 
 private:
-    std::vector<std::uint32_t> starts_; // of every line but the first
+    std::vector<std::uint32_t> starts_;      // of every line but the first
+    std::vector<KnownColumn> known_columns_; // by offset, in long lines only
 };
 
 /// 1-based column of `offset` in the line that begins at `line_start`, both counted in `text`. An
