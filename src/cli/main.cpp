@@ -61,6 +61,8 @@ namespace {
         complain(error.what());
         const std::string name = command == nullptr ? "" : " " + std::string(command->name);
         std::fputs(("try `iecfront" + name + " --help`\n").c_str(), stderr);
+    } catch (const OutputClosed&) {
+        // nobody is there to be told
     } catch (const std::bad_alloc&) {
         complain("out of memory");
     } catch (const std::exception& error) {

@@ -10,7 +10,11 @@ namespace iecfront::cli {
 namespace {
 
 [[noreturn]] void fail() {
-    throw OutputError("standard output: " + system_message(errno));
+    const int error = errno;
+    const std::string what = "standard output: " + system_message(error);
+    if (error == EPIPE)
+        throw OutputClosed(what);
+    throw OutputError(what);
 }
 
 } // namespace

@@ -5,16 +5,22 @@
 
 namespace iecfront::cli {
 
-/// Standard output took no more: its device is full, or nobody reads it any longer.
+/// Standard output took no more: its device is full, say.
 class OutputError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Writes to standard output; throws `OutputError` when that fails.
+/// Nobody reads standard output any longer, as behind `| head`: no mistake to tell anybody of.
+class OutputClosed : public OutputError {
+public:
+    using OutputError::OutputError;
+};
+
+/// Writes to standard output; throws `OutputError` or `OutputClosed` when that fails.
 void print(std::string_view text);
 
-/// Lets everything printed reach its place; throws `OutputError` when that fails.
+/// Lets everything printed reach its place; throws as `print` does when that fails.
 void flush_output();
 
 /// Writes the line `iecfront: <text>` to standard error, behind what was printed before it.

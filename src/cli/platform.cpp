@@ -18,6 +18,13 @@ namespace {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
 }
 
+// The signal that came while there was an `Uninterrupted`; 0 for none.
+volatile std::sig_atomic_t noted_signal = 0;
+
+extern "C" void note_signal(int signal) {
+    noted_signal = signal;
+}
+
 } // namespace
 
 void prepare_standard_streams() {
@@ -52,6 +59,17 @@ std::FILE* open_new_file(const std::filesystem::path& path) {
 #else
     return std::fopen(path.c_str(), "wbx");
 #endif
+}
+
+Uninterrupted::Uninterrupted()
+    : on_interrupt_(std::signal(SIGINT, note_signal)),
+      on_terminate_(std::signal(SIGTERM, note_signal)) {}
+
+Uninterrupted::~Uninterrupted() {
+    std::signal(SIGINT, on_interrupt_);
+    std::signal(SIGTERM, on_terminate_);
+    if (noted_signal != 0)
+        std::raise(noted_signal);
 }
 
 std::string system_message(int error) {

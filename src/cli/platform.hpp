@@ -21,6 +21,21 @@ void prepare_standard_streams();
 /// also because it is there.
 [[nodiscard]] std::FILE* open_new_file(const std::filesystem::path& path);
 
+/// While one is there, the program is not interrupted (SIGINT, SIGTERM): that happens at the end of
+/// its life. One at a time.
+class Uninterrupted {
+public:
+    Uninterrupted();
+    ~Uninterrupted();
+    Uninterrupted(const Uninterrupted&) = delete;
+    Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+private:
+    using Handler = void (*)(int);
+    Handler on_interrupt_;
+    Handler on_terminate_;
+};
+
 /// The system's words for an error number (`errno`).
 [[nodiscard]] std::string system_message(int error);
 

@@ -22,7 +22,8 @@ void Progress::show(std::size_t done) {
     if (!enabled_ || Clock::now() < next_)
         return;
     next_ = Clock::now() + then_every;
-    std::fprintf(stderr, "\rchecked %zu of %zu files", done, total_);
+    // Short: of a line that a narrow terminal breaks only the end could be cleared.
+    std::fprintf(stderr, "\r%zu/%zu files", done, total_);
     std::fflush(stderr);
     drawn_ = true;
 }

@@ -79,6 +79,7 @@ std::string replace_file(const fs::path& path, std::string_view bytes) {
     const fs::path target = fs::canonical(path, error);
     if (error)
         return error.message();
+    const Uninterrupted until_it_is_removed; // or has its name
     NewFile file(target);
     file.write(bytes);
     return file.replace(target);

@@ -451,22 +451,5 @@ TEST_F(CheckCommand, ColourIsForTerminals) {
     EXPECT_FALSE(contains(run({"check", "--color=always", "--format=json", "bad.st"}).out, "\x1B"));
 }
 
-TEST_F(CheckCommand, AnOutputThatCannotBeWrittenIsSaid) {
-    write("bad.st", bad_program);
-    if (std::filesystem::exists("/dev/full")) {
-        const Outcome full = run({"check", "bad.st"}, {}, "> /dev/full");
-        EXPECT_EQ(full.status, 2);
-        EXPECT_EQ(full.err, "iecfront: standard output: No space left on device\n");
-    }
-    std::string many;
-    for (int i = 0; i < 100000; ++i)
-        many += good_program;
-    write("many.st", many);
-    const Outcome closed = run_shell(
-        "{ \"$IECFRONT\" tokens many.st; echo $? > status; } | head -c 1 > part; cat status");
-    EXPECT_EQ(closed.out, "2\n");
-    EXPECT_EQ(closed.err, "iecfront: standard output: Broken pipe\n");
-}
-
 } // namespace
 } // namespace iecfront::test
