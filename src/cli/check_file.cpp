@@ -18,6 +18,7 @@ namespace {
     // What parsing would say, without the memory to hold such a text.
     Diagnostic diagnostic;
     diagnostic.id = DiagnosticId::source_too_large;
+    diagnostic.arguments = {std::to_string(SourceText::maximum_size)};
     return {diagnostic};
 }
 

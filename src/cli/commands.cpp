@@ -106,6 +106,11 @@ void set_diagnostics(Options& options, std::string_view value) {
         static_cast<std::uint32_t>(number<1, UINT32_MAX>("--max-diagnostics", value));
 }
 
+void set_source_size(Options& options, std::string_view value) {
+    options.parse.maximum_source_size =
+        static_cast<std::uint32_t>(number<1, UINT32_MAX>("--max-source-size", value));
+}
+
 void set_jobs(Options& options, std::string_view value) {
     options.jobs = static_cast<unsigned>(number<1, 1024>("--jobs", value));
 }
@@ -220,6 +225,8 @@ constexpr std::array check_options = {
     nesting_row,
     OptionRow{"--max-identifier-length", "N",
               "report identifiers of more than N bytes (default 4096)", set_identifier_length},
+    OptionRow{"--max-source-size", "N",
+              "do not examine files of more than N bytes (default 268435456)", set_source_size},
     OptionRow{"--max-diagnostics", "N", "stop after N findings in a file (default 100000)",
               set_diagnostics},
     jobs_row,

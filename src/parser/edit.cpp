@@ -2,6 +2,7 @@
 
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/lexer/name.hpp>
+#include <iecfront/parser/parse.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -88,12 +89,23 @@ void truncate(LexedUnits& units, std::size_t cuts) {
                   [size](const Diagnostic& one) { return !belongs_before(one.range, size); });
 }
 
+/// For a text that is not read for its size, before the edit or after it.
+SyntaxTree read_anew(const SyntaxTree& tree, TextRange range, std::string_view replacement) {
+    std::string text(tree.source().bytes());
+    text.replace(range.begin, range.size(), replacement);
+    return parse(SourceText(std::move(text), tree.name(), tree.encoding()).at(tree.origin()),
+                 tree.options());
+}
+
 } // namespace
 
 SyntaxTree SyntaxTree::edited(TextRange range, std::string_view replacement) const {
     if (range.end < range.begin)
         std::swap(range.begin, range.end);
     range = {std::min(range.begin, size_), std::min(range.end, size_)};
+    const std::uint64_t new_size = std::uint64_t{size_} - range.size() + replacement.size();
+    if (std::max<std::uint64_t>(size_, new_size) > options_.maximum_source_size)
+        return read_anew(*this, range, replacement);
     const Slots old = slots();
     const auto slot = static_cast<std::size_t>(&slot_at(range.begin) - old.data());
     const auto last = static_cast<std::size_t>(&slot_at(range.end) - old.data());

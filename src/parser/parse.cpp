@@ -3,19 +3,27 @@
 #include <iecfront/parser/parse.hpp>
 
 #include <memory>
+#include <span>
+#include <string>
 #include <utility>
 
 namespace iecfront {
 namespace {
 
-/// The tree of a text that is not read: one empty unit that says so.
-SyntaxTree refuse(const SourceText& source, const ParseOptions& options) {
+/// The tree of a text that is not read: one unit that says so. All of the text is a comment in it,
+/// so that no byte is lost and nothing is looked at.
+SyntaxTree refuse(const SourceText& source, const ParseOptions& options, std::uint64_t limit) {
     Unit::Parts parts;
     parts.buffer = source.buffer();
     parts.text = source.bytes();
     parts.encoding = source.encoding();
     parts.root = parts.arena.create<ast::LibraryUnit>();
-    parts.diagnostics.push_back({DiagnosticId::source_too_large, {}, {}, {}, {}});
+    const auto size = static_cast<std::uint32_t>(source.bytes().size());
+    const Trivia all{{0, size}, TriviaKind::comment};
+    if (size > 0)
+        parts.trivia = parts.arena.copy(std::span(&all, 1));
+    parts.diagnostics.push_back(
+        {DiagnosticId::source_too_large, {}, {std::to_string(limit)}, {}, {}});
     return {source.name(),
             source.encoding(),
             {std::make_shared<const Unit>(std::move(parts))},
@@ -27,7 +35,9 @@ SyntaxTree refuse(const SourceText& source, const ParseOptions& options) {
 
 SyntaxTree parse(const SourceText& source, const ParseOptions& options) {
     if (source.too_large())
-        return refuse(source, options);
+        return refuse(source, options, SourceText::maximum_size);
+    if (source.bytes().size() > options.maximum_source_size)
+        return refuse(source, options, options.maximum_source_size);
     const LexedUnits lexed = lex_units(source.buffer(), source.encoding(), true, options.read_as);
     return {source.name(), source.encoding(), parse_units(lexed, options), options,
             source.origin()};

@@ -121,7 +121,7 @@ TEST(Cases, AreChangedAtEveryNode) {
             if (source.bytes().size() > 2000)
                 continue;
             SCOPED_TRACE(file.path + ": " + one.title);
-            const SyntaxTree tree = parse(source, options_of(one));
+            const SyntaxTree tree = parse(source, options_of_changed(one));
             for (const SyntaxTree::Slot& slot : tree.slots())
                 ChangeTester(tree, slot).traverse(slot.unit->root());
         }

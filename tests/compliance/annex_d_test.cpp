@@ -25,6 +25,9 @@ TEST(AnnexD, ValuesAreThoseOfTheCode) {
     const AnnexDParameter* const nesting = find_parameter(DiagnosticId::nesting_too_deep);
     ASSERT_NE(nesting, nullptr);
     EXPECT_EQ(nesting->number, ParseOptions().maximum_nesting);
+    const AnnexDParameter* const size = find_parameter(DiagnosticId::source_too_large);
+    ASSERT_NE(size, nullptr);
+    EXPECT_EQ(size->number, ParseOptions().maximum_source_size);
 }
 
 TEST(AnnexD, EachLimitHasItsParameter) {

@@ -49,7 +49,6 @@ bool has_silent_case(const std::string& tag, DiagnosticId id) {
 
 std::string_view tested_elsewhere(DiagnosticId id) {
     switch (id) {
-    case DiagnosticId::source_too_large: return "needs 4 GiB: tests/cli/check_test.cpp";
     case DiagnosticId::text_too_long: return "needs 4 MiB: tests/lexer/lexer_test.cpp";
     default: return {};
     }

@@ -102,6 +102,8 @@ private:
             current().maximum_nesting = rest;
         } else if (name == "max-identifier-length") {
             current().maximum_identifier_length = rest;
+        } else if (name == "max-source-size") {
+            current().maximum_source_size = rest;
         } else if (name == "max-diagnostics") {
             current().maximum_diagnostics = rest;
         } else if (name == "report") {

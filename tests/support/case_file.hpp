@@ -18,6 +18,7 @@ namespace iecfront::test {
 ///     : max-nesting 5                ParseOptions::maximum_nesting
 ///     : max-identifier-length 8      ParseOptions::maximum_identifier_length
 ///     : max-diagnostics 2            ParseOptions::maximum_diagnostics
+///     : max-source-size 40           ParseOptions::maximum_source_size
 ///     : report CLASS-OR-CODE         shown though it is allowed by default
 ///     : fixes-leave reason in words  not all is well when the fixes are applied
 ///     source lines
@@ -47,6 +48,7 @@ struct Case {
     std::string maximum_nesting;
     std::string maximum_identifier_length;
     std::string maximum_diagnostics;
+    std::string maximum_source_size;
     std::vector<std::string> report;
     std::optional<std::string> fixes_leave;
     bool escapes = false;

@@ -26,6 +26,8 @@ struct CaseOutcome {
 /// How the source of `one` is read.
 [[nodiscard]] SourceText source_text_of(const Case& one);
 [[nodiscard]] ParseOptions options_of(const Case& one);
+/// The same for a text made of that of the case, which can be larger than it may be.
+[[nodiscard]] ParseOptions options_of_changed(const Case& one);
 
 [[nodiscard]] CaseOutcome run_case(const Case& one);
 

@@ -40,6 +40,10 @@ struct ParseOptions {
     /// How many findings `SyntaxTree::diagnostics` gives for a file, the last of which says so
     /// (`too-many-diagnostics`; Annex D, 1.5.1).
     std::uint32_t maximum_diagnostics = 100'000;
+    /// How many bytes a text can have. A larger one is kept but not examined, and reported
+    /// (`source-too-large`; Annex D, 2.5.3). Bounds the time and the memory that parsing needs:
+    /// both grow linearly with the size.
+    std::uint32_t maximum_source_size = 1U << 28U;
 
     friend bool operator==(const ParseOptions&, const ParseOptions&) = default;
 };
