@@ -55,7 +55,10 @@ void append_text(std::string& out, std::string_view text) {
 class ResultWriter {
 public:
     ResultWriter(std::string& out, const SourceText& source, const LineTable& lines)
-        : out_(out), source_(source), lines_(lines), uri_(uri_of(source.name())) {}
+        : out_(out),
+          source_(source),
+          lines_(lines),
+          uri_(uri_of(source.name().empty() ? "<text>" : source.name())) {}
 
     void write(const Diagnostic& diagnostic, Severity severity) {
         JsonObject object(out_);

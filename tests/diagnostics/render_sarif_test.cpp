@@ -45,6 +45,11 @@ std::string uri_of(const std::string& name) {
     return (*result)["locations"][0]["physicalLocation"]["artifactLocation"]["uri"].text;
 }
 
+// As in text: a URI has to be there.
+TEST(RenderSarif, NamesATextWithoutAName) {
+    EXPECT_EQ(uri_of(""), "%3Ctext%3E");
+}
+
 TEST(RenderSarif, GivesAResultWithAllThatADiagnosticHas) {
     const SourceText source("IF a\nx:=1", "src/a b.st");
     const std::string artifact = R"({"uri":"src/a%20b.st","uriBaseId":"%SRCROOT%"})";

@@ -14,7 +14,7 @@ constexpr std::string_view literals[] = {
 
 } // namespace
 
-Damager::Damager(const Grammar& grammar, std::uint32_t seed) : random_(seed) {
+Damager::Damager(const Grammar& grammar, std::uint32_t seed) : random_(std::mt19937(seed)) {
     for (const Production& production : grammar.productions)
         if (!production.lexical() && production.name != "standard_function_name" &&
             production.name != "standard_function_block_name")

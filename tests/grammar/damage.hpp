@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 #include <string_view>
@@ -20,11 +21,14 @@ public:
 
     [[nodiscard]] std::string damaged(std::string_view text);
 
+    /// Chooses by `numbers`.
+    void follow(std::function<std::uint32_t()> numbers) { random_ = std::move(numbers); }
+
 private:
     [[nodiscard]] std::size_t random(std::size_t below) { return random_() % below; }
 
     std::vector<std::string> vocabulary_;
-    std::mt19937 random_;
+    std::function<std::uint32_t()> random_;
 };
 
 } // namespace iecfront::test

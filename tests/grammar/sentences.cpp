@@ -62,7 +62,7 @@ struct Example {
 SentenceDeriver::SentenceDeriver(const Grammar& grammar, const Words& words, std::uint32_t seed)
     : grammar_(grammar),
       words_(words),
-      random_(seed),
+      random_(std::mt19937(seed)),
       least_size_(grammar.expression_count),
       ways_(grammar.expression_count) {
     for (const Production& production : grammar.productions)
@@ -72,6 +72,12 @@ SentenceDeriver::SentenceDeriver(const Grammar& grammar, const Words& words, std
                 ways_[one.number].resize(one.kind == Kind::alternatives ? one.parts.size() : 2);
         });
     measure();
+}
+
+void SentenceDeriver::follow(std::function<std::uint32_t()> numbers) {
+    random_ = std::move(numbers);
+    evenly_ = false;
+    pool_.clear();
 }
 
 // ---- sizes
@@ -132,7 +138,7 @@ std::size_t SentenceDeriver::choose(const Expression& alternatives, std::size_t 
     std::size_t way =
         *std::min_element(fitting.begin(), fitting.end(),
                           [&](std::size_t a, std::size_t b) { return taken[a] < taken[b]; });
-    if (taken[way] > 0 && random(3) > 0)
+    if (!evenly_ || (taken[way] > 0 && random(3) > 0))
         way = fitting[random(fitting.size())];
     ++taken[way];
     return way;
@@ -141,7 +147,7 @@ std::size_t SentenceDeriver::choose(const Expression& alternatives, std::size_t 
 bool SentenceDeriver::choose_some(const Expression& optional, std::size_t size) {
     std::vector<std::size_t>& taken = ways_[optional.number];
     const bool fits = least_size_[optional.parts.front().number] < size;
-    const bool some = fits && (taken[1] == 0 || tokens_ == 0 || random(5) < 2);
+    const bool some = fits && ((evenly_ && taken[1] == 0) || tokens_ == 0 || random(5) < 2);
     ++taken[some ? 1 : 0];
     return some;
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -25,6 +26,9 @@ class SentenceDeriver {
 public:
     /// The same seed gives the same sentences.
     SentenceDeriver(const Grammar& grammar, const Words& words, std::uint32_t seed);
+
+    /// Goes where `numbers` says, and nowhere for the sake of going there.
+    void follow(std::function<std::uint32_t()> numbers);
 
     /// What the start symbol, the first production, derives: about `size` tokens, or a few more.
     [[nodiscard]] Sentence derive(std::size_t size);
@@ -55,7 +59,8 @@ private:
 
     const Grammar& grammar_;
     const Words& words_;
-    std::mt19937 random_;
+    std::function<std::uint32_t()> random_;
+    bool evenly_ = true;                  // goes each way
     std::vector<std::size_t> least_size_; // of each expression: in tokens, or in characters
     /// How often each way of an expression was gone: an alternative is a way; options and
     /// repetitions have two, without and with their part.

@@ -1,6 +1,7 @@
 #include "support/literal_faults.hpp"
 
 #include "support/lexed.hpp"
+#include "support/literal_invariants.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,19 +11,6 @@
 namespace iecfront::tests {
 
 namespace {
-
-// The first fix of each diagnostic, all together, by position.
-std::vector<TextEdit> edits_of(const std::vector<Diagnostic>& faults) {
-    std::vector<TextEdit> edits;
-    for (const Diagnostic& fault : faults)
-        if (!fault.fixes.empty())
-            edits.insert(edits.end(), fault.fixes.front().edits.begin(),
-                         fault.fixes.front().edits.end());
-    std::stable_sort(edits.begin(), edits.end(), [](const TextEdit& a, const TextEdit& b) {
-        return a.range.begin < b.range.begin;
-    });
-    return edits;
-}
 
 std::string applied(std::string_view text, const std::vector<TextEdit>& edits) {
     std::string result;
@@ -35,19 +23,9 @@ std::string applied(std::string_view text, const std::vector<TextEdit>& edits) {
     return result + std::string(text.substr(at));
 }
 
-bool takes_value(const Diagnostic& fault) {
-    const DiagnosticClass category = diagnostic_info(fault.id).category;
-    return category == DiagnosticClass::violation && fault.id != DiagnosticId::integer_too_large &&
-           fault.id != DiagnosticId::real_out_of_range;
-}
-
 bool contains(const std::vector<Diagnostic>& faults, DiagnosticId id) {
     return std::any_of(faults.begin(), faults.end(),
                        [&](const Diagnostic& fault) { return fault.id == id; });
-}
-
-bool is_inside(TextRange range, std::string_view text) {
-    return range.begin <= range.end && range.end <= text.size();
 }
 
 // A malformed literal that is deliberately not what `expect_lexed_alike` demands.
@@ -93,47 +71,16 @@ std::string faults_of(TokenKind kind, std::string_view text, Encoding encoding) 
     return result;
 }
 
-std::string with_fixes(TokenKind kind, std::string_view text, Encoding encoding) {
-    return applied(text, edits_of(check_literal(kind, text, encoding)));
+bool has_value(TokenKind kind, std::string_view text, Encoding encoding) {
+    return test::has_value(kind, text, encoding);
 }
 
-bool has_value(TokenKind kind, std::string_view text, Encoding encoding) {
-    switch (kind) {
-    case TokenKind::single_byte_string:
-    case TokenKind::double_byte_string: return string_value(text, encoding).has_value();
-    case TokenKind::duration: return duration_value(text).has_value();
-    case TokenKind::date: return date_value(text).has_value();
-    case TokenKind::time_of_day: return time_of_day_value(text).has_value();
-    case TokenKind::date_and_time: return date_and_time_value(text).has_value();
-    case TokenKind::direct_variable:
-    case TokenKind::incomplete_location: return direct_variable_value(text).has_value();
-    case TokenKind::typed_literal:
-        if (string_value(text, encoding) || duration_value(text) || date_value(text) ||
-            time_of_day_value(text) || date_and_time_value(text))
-            return true;
-        [[fallthrough]];
-    default: return integer_value(text).has_value() || real_value(text).has_value();
-    }
+std::string with_fixes(TokenKind kind, std::string_view text, Encoding encoding) {
+    return applied(text, test::first_fixes(check_literal(kind, text, encoding)));
 }
 
 void expect_invariants(TokenKind kind, std::string_view text, Encoding encoding) {
-    const std::vector<Diagnostic> faults = check_literal(kind, text, encoding);
-    for (std::size_t i = 0; i < faults.size(); ++i) {
-        EXPECT_TRUE(is_inside(faults[i].range, text)) << text;
-        EXPECT_TRUE(i == 0 || faults[i - 1].range.begin <= faults[i].range.begin) << text;
-        EXPECT_FALSE(message(faults[i], encoding).empty());
-        for (const DiagnosticLabel& label : faults[i].labels)
-            EXPECT_TRUE(is_inside(label.range, text)) << text;
-        for (const DiagnosticFix& fix : faults[i].fixes)
-            for (const TextEdit& edit : fix.edits)
-                EXPECT_TRUE(is_inside(edit.range, text)) << text;
-    }
-    const std::vector<TextEdit> edits = edits_of(faults);
-    for (std::size_t i = 1; i < edits.size(); ++i)
-        EXPECT_LE(edits[i - 1].range.end, edits[i].range.begin) << text;
-    if (std::any_of(faults.begin(), faults.end(), takes_value)) {
-        EXPECT_FALSE(has_value(kind, text, encoding)) << text;
-    }
+    EXPECT_EQ(test::literal_fault(kind, text, encoding), "") << text;
 }
 
 void expect_faults(const LiteralCase& literal) {

@@ -1,0 +1,65 @@
+#include "fuzz/targets.hpp"
+#include "support/case_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+
+// What the fuzz targets found once, and what they begin with.
+
+namespace iecfront::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[nodiscard]] std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class Targets : public testing::TestWithParam<FuzzTarget> {};
+
+// tests/fuzz/findings/<target>/<what it is>
+TEST_P(Targets, FindNothingInPastFindings) {
+    const fs::path folder = fs::path(IECFRONT_SOURCE_DIR) / "tests/fuzz/findings" / GetParam().name;
+    if (!fs::exists(folder))
+        GTEST_SKIP() << "there are none";
+    for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_EQ(GetParam().fault(content(entry.path())), "") << entry.path();
+}
+
+// Each fifth is enough here: all of them are what fuzzing begins with.
+TEST_P(Targets, FindNothingInCases) {
+    std::size_t number = 0;
+    for (const CaseFile& file : all_case_files())
+        for (const Case& one : file.cases)
+            if (number++ % 5 == 0) {
+                EXPECT_EQ(GetParam().fault(one.source()), "") << file.path << ": " << one.title;
+            }
+}
+
+TEST_P(Targets, FindNothingInNothing) {
+    EXPECT_EQ(GetParam().fault(""), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, Targets,
+                         testing::ValuesIn(fuzz_targets().begin(), fuzz_targets().end()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+// A folder that no target has would never be read.
+TEST(Findings, BelongToATarget) {
+    const fs::path folder = fs::path(IECFRONT_SOURCE_DIR) / "tests/fuzz/findings";
+    if (!fs::exists(folder))
+        GTEST_SKIP() << "there are none";
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_TRUE(std::ranges::any_of(fuzz_targets(), [&](const FuzzTarget& target) {
+            return target.name == name;
+        })) << name;
+    }
+}
+
+} // namespace
+} // namespace iecfront::test
