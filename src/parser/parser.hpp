@@ -888,7 +888,8 @@ private:
     bool between_chart_elements_ = false; // in statements that stand there
     bool members_unclosed_ = false;       // some METHOD lacks its closing word: none is looked for
     bool closer_assumed_ = false;         // the last closing word was missing, and its `;` with it
-    std::optional<std::uint32_t> reported_at_; // token of the last report
+    static constexpr std::uint32_t no_token = 0xFFFF'FFFF;
+    std::uint32_t reported_at_ = no_token; // token of the last report
     std::optional<std::uint32_t> comma_assumed_at_;
     std::optional<std::uint32_t> invocation_; // the `(` of the last call that began a statement
     std::uint32_t il_parentheses_ = 0;        // of instructions, that are open

@@ -238,7 +238,7 @@ void Parser::report_missing_closer(std::string_view terminator) {
     std::string gap = "\n";
     if (reported_at_ == at_ && !diagnostics_.empty() &&
         diagnostics_.back().id == DiagnosticId::empty_statement_list) {
-        reported_at_.reset();
+        reported_at_ = no_token;
         diagnostics_.pop_back(); // it lacks both, which is one mistake
         gap = " ; ";
     }
