@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <gtest/gtest.h>
-
-#ifndef _WIN32
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <unistd.h>
-#endif
 
 // Whatever happens around the command: a message in one line, a status, and nothing lost.
 
@@ -20,10 +17,6 @@ using Robustness = CommandTest;
 
 [[nodiscard]] bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
-}
-
-[[nodiscard]] bool has_tool(const char* name) {
-    return std::system(("command -v " + std::string(name) + " > /dev/null").c_str()) == 0;
 }
 
 // ---- inputs ------------------------------------------------------------------------------------
@@ -40,25 +33,21 @@ TEST_F(Robustness, WhatCannotBeOpenedIsSaid) {
 }
 
 TEST_F(Robustness, WhatMayNotBeReadIsSaid) {
-#ifndef _WIN32
-    if (geteuid() == 0)
-        GTEST_SKIP() << "this user may read everything";
-#endif
+    const bool reads_everything = geteuid() == 0;
     write("d/locked.st", good_program);
     write("e/in.st", good_program);
     fs::permissions(folder() / "d/locked.st", fs::perms::none);
     fs::permissions(folder() / "e", fs::perms::none);
     const Outcome outcome = run({"check", "d", "e"});
     fs::permissions(folder() / "e", fs::perms::owner_all);
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.err, "iecfront: d/locked.st: Permission denied\n"
-                           "iecfront: e: Permission denied\n");
+    EXPECT_EQ(outcome.status, reads_everything ? 0 : 2);
+    EXPECT_EQ(outcome.err, reads_everything ? ""
+                                            : "iecfront: d/locked.st: Permission denied\n"
+                                              "iecfront: e: Permission denied\n");
 }
 
 // Reading stops with an error in the middle of this file, whoever reads.
 TEST_F(Robustness, AnErrorWhileReadingIsSaid) {
-    if (!fs::exists("/proc/self/mem"))
-        GTEST_SKIP() << "this system has no /proc";
     write("good.st", good_program);
     const Outcome outcome = run({"check", "/proc/self/mem", "good.st"});
     EXPECT_EQ(outcome.status, 2);
@@ -134,8 +123,6 @@ TEST_F(Robustness, NamesMayHoldAnyBytes) {
 // ---- outputs -----------------------------------------------------------------------------------
 
 TEST_F(Robustness, AFullDeviceIsSaidByEachCommand) {
-    if (!fs::exists("/dev/full"))
-        GTEST_SKIP() << "this system has no /dev/full";
     write("bad.st", bad_program);
     const std::vector<std::vector<std::string>> commands = {
         {"check", "bad.st"},    {"check", "--format=json", "bad.st"},
@@ -174,7 +161,6 @@ TEST_F(Robustness, ClosedStandardStreamsAreSurvived) {
     EXPECT_EQ(run({"check", "-"}, {}, "<&-").status, 2);
 }
 
-#ifndef _WIN32
 // A terminal is asked for the progress line alone: everything else is of any width.
 TEST_F(Robustness, ProgressFitsANarrowTerminal) {
     const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
@@ -196,13 +182,10 @@ TEST_F(Robustness, ProgressFitsANarrowTerminal) {
     // Six digits each fit 20 columns.
     EXPECT_LE(std::string("999999/999999 files").size(), 20U);
 }
-#endif
 
 // ---- interruption ------------------------------------------------------------------------------
 
 TEST_F(Robustness, AnInterruptionEndsTheCommandInSilence) {
-    if (!has_tool("timeout"))
-        GTEST_SKIP() << "there is no `timeout`";
     const Outcome outcome = run_shell(
         "mkfifo never.st; timeout --preserve-status -s INT 0.3 \"$IECFRONT\" check never.st");
     EXPECT_EQ(outcome.status, 128 + 2);
@@ -211,8 +194,6 @@ TEST_F(Robustness, AnInterruptionEndsTheCommandInSilence) {
 
 // Each file is the old one or the new one, and nothing else is left.
 TEST_F(Robustness, AnInterruptedRewriteLeavesWholeFiles) {
-    if (!has_tool("timeout"))
-        GTEST_SKIP() << "there is no `timeout`";
     std::string old;
     for (int i = 0; i < 300; ++i)
         old += bad_program;

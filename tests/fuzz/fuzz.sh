@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # `fuzz.sh BUILD SECONDS [TARGET...]` fuzzes the targets built in BUILD for so long each, two at a
-# time, from the cases. Fails at the first finding, which lies in BUILD/fuzz/<target> then.
+# time, from the cases. A build finds the same each time: SEED (1) in the environment makes other
+# choices. Fails at the first finding, which lies in BUILD/fuzz/<target> then.
 set -euo pipefail
 build=$(cd "$1" && pwd)
 seconds=$2
@@ -15,7 +16,7 @@ fi
 fuzz() {
     local folder="$build/fuzz/$1"
     mkdir -p "$folder/corpus"
-    if ! "$build/tests/fuzz/iecfront_$1_fuzzer" -max_total_time="$seconds" -max_len=2000 \
+    if ! "$build/tests/fuzz/iecfront_$1_fuzzer" -seed="${SEED:-1}" -max_total_time="$seconds" -max_len=2000 \
         -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 -dict="$build/fuzz/dictionary" \
         -artifact_prefix="$folder/" "$folder/corpus" "$build/fuzz/seeds" > "$folder/log" 2>&1; then
         tail -n 60 "$folder/log"
