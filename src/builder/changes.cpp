@@ -1,4 +1,6 @@
 #include "builder/assembly.hpp"
+#include "builder/places.hpp"
+#include "builder/removals.hpp"
 #include "format/line_end.hpp"
 
 #include <iecfront/ast/attached_comments.hpp>
@@ -7,27 +9,13 @@
 #include <iecfront/lexer/name.hpp>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace iecfront::build {
 namespace {
 
 using Slot = SyntaxTree::Slot;
-
-// The node that `node` is a child of; null for the root.
-[[nodiscard]] const ast::Node* parent_of(const Unit& unit, const ast::Node& node) {
-    const ast::Node* parent = nullptr;
-    ast::walk(unit.root(), [&](const ast::Node& candidate) {
-        if (candidate.first_token > node.first_token || candidate.end_token < node.end_token)
-            return ast::Walk::over;
-        ast::for_each_child(candidate, [&](const ast::Node& child) {
-            if (&child == &node)
-                parent = &candidate;
-        });
-        return parent != nullptr ? ast::Walk::stop : ast::Walk::into;
-    });
-    return parent;
-}
 
 // `part` as it can stand where `node` stands.
 [[nodiscard]] AnyPart fitted(const Unit& unit, const ast::Node& node, const AnyPart& part) {
@@ -45,38 +33,10 @@ using Slot = SyntaxTree::Slot;
     return std::move(assembly).finish(part.kind(), strength::primary);
 }
 
-[[nodiscard]] bool is_blank(char c) noexcept {
-    return c == ' ' || c == '\t';
-}
-
-[[nodiscard]] std::uint32_t line_start(const Unit& unit, std::uint32_t offset) {
-    return unit.lines().line_start(unit.lines().line_of(offset));
-}
-
-// The blanks that the line of `offset` begins with.
-[[nodiscard]] std::string_view indentation(const Unit& unit, std::uint32_t offset) {
-    const std::string_view line = unit.text().substr(line_start(unit, offset));
-    const auto end = std::ranges::find_if_not(line, is_blank);
-    return line.substr(0, static_cast<std::size_t>(end - line.begin()));
-}
-
-[[nodiscard]] bool begins_line(const Unit& unit, std::uint32_t offset) {
-    return line_start(unit, offset) + indentation(unit, offset).size() == offset;
-}
-
-// Elements of lists with commas.
-[[nodiscard]] bool has_comma(ast::NodeKind kind) noexcept {
-    switch (kind) {
-    case ast::NodeKind::input_argument:
-    case ast::NodeKind::output_argument:
-    case ast::NodeKind::enumerated_value_declaration:
-    case ast::NodeKind::subrange:
-    case ast::NodeKind::structure_element_initialization:
-    case ast::NodeKind::task_initialization:
-    case ast::NodeKind::fb_task:
-    case ast::NodeKind::prog_cnxn: return true;
-    default: return ast::is<ast::Expression>(kind);
-    }
+// True for an element of a list that is laid out with a line for each. The names of a declaration
+// share theirs.
+[[nodiscard]] bool is_on_own_line(const Unit& unit, const ast::Node& node) {
+    return node.kind != ast::NodeKind::identifier && begins_line(unit, unit.range(node).begin);
 }
 
 [[nodiscard]] std::string_view line_break_for(ast::NodeKind kind) noexcept {
@@ -88,20 +48,6 @@ using Slot = SyntaxTree::Slot;
 // With the `;` that belongs behind it.
 [[nodiscard]] std::string whole_line(const AnyPart& part) {
     return part.text() + (has_semicolon(part.kind()) ? ";" : "");
-}
-
-[[nodiscard]] std::optional<Token> token_at(const Unit& unit, std::size_t index, TokenKind kind) {
-    if (index < unit.tokens().size() && unit.tokens()[index].kind() == kind)
-        return unit.tokens()[index];
-    return std::nullopt;
-}
-
-// Where `node` ends with its `;`, when one stands behind it.
-[[nodiscard]] std::uint32_t end_with_semicolon(const Unit& unit, const ast::Node& node) {
-    if (has_semicolon(node.kind))
-        if (const std::optional<Token> found = token_at(unit, node.end_token, TokenKind::semicolon))
-            return found->end();
-    return unit.range(node).end;
 }
 
 [[nodiscard]] AttachedComments comments_of(const Unit& unit, const ast::Node& node) {
@@ -170,6 +116,23 @@ using Slot = SyntaxTree::Slot;
     return out;
 }
 
+[[nodiscard]] std::pair<std::uint32_t, std::uint32_t> place_of(const TextEdit& edit) noexcept {
+    return {edit.range.begin, edit.range.end};
+}
+
+// What stands in `range` of `text` after `edits`, which lie in it.
+[[nodiscard]] std::string edited_text(std::string_view text, TextRange range,
+                                      std::span<const TextEdit> edits) {
+    std::string out;
+    std::uint32_t copied = range.begin;
+    for (const TextEdit& edit : edits) {
+        out += text.substr(copied, edit.range.begin - copied);
+        out += edit.replacement;
+        copied = edit.range.end;
+    }
+    return out;
+}
+
 } // namespace
 
 // ---- what is put in ----------------------------------------------------------------------------
@@ -184,11 +147,12 @@ void Changes::replace_node(const Slot& slot, const ast::Node& node, const AnyPar
 }
 
 void Changes::insert_before_node(const Slot& slot, const ast::Node& node, const AnyPart& part) {
+    put_beside(slot, node);
     const Unit& unit = *slot.unit;
     std::uint32_t place = unit.range(node).begin;
     std::string text = part.text();
     if (has_comma(part.kind())) {
-        text += begins_line(unit, place) ? ",\n" : ", ";
+        text += is_on_own_line(unit, node) ? ",\n" : ", ";
     } else {
         const AttachedComments comments = comments_of(unit, node);
         if (!comments.before.empty())
@@ -202,6 +166,7 @@ void Changes::insert_before_node(const Slot& slot, const ast::Node& node, const 
 }
 
 void Changes::insert_after_node(const Slot& slot, const ast::Node& node, const AnyPart& part) {
+    put_beside(slot, node);
     const Unit& unit = *slot.unit;
     const TextRange range = unit.range(node);
     if (!has_comma(part.kind())) {
@@ -210,8 +175,42 @@ void Changes::insert_after_node(const Slot& slot, const ast::Node& node, const A
     }
     if (fault_.empty())
         fault_ = part.fault();
-    const std::string text = (begins_line(unit, range.begin) ? ",\n" : ", ") + part.text();
+    const bool on_own_line = is_on_own_line(unit, node);
+    const std::uint32_t end = end_with_comments(unit, node, range.end);
+    if (on_own_line && end > range.end)
+        return insert_behind_comments(slot, node, end, part);
+    const std::string text = (on_own_line ? ",\n" : ", ") + part.text();
     edit(slot, {range.end, range.end}, moved_in(text, indentation(unit, range.begin)));
+}
+
+// On a line of its own behind the comments of `node`, which end at `end`. The comma stands before
+// them.
+void Changes::insert_behind_comments(const Slot& slot, const ast::Node& node, std::uint32_t end,
+                                     const AnyPart& part) {
+    const Unit& unit = *slot.unit;
+    const TextRange range = unit.range(node);
+    const std::string line = moved_in('\n' + part.text(), indentation(unit, range.begin));
+    if (const std::optional<Token> comma = token_at(unit, node.end_token, TokenKind::comma)) {
+        end = std::max(end, comma->end());
+        return edit(slot, {end, end}, line + ',');
+    }
+    const std::uint32_t place = slot.offset + range.end;
+    const bool has_one = std::ranges::find(edits_, TextEdit{{place, place}, ","}) != edits_.end();
+    if (!has_one)
+        edit(slot, {range.end, range.end}, ",");
+    edit(slot, {end, end}, (has_one ? "," : "") + line);
+}
+
+void Changes::put_beside(const Slot& slot, const ast::Node& node) {
+    accompanied_.push_back(&node);
+    require_element(slot, node);
+}
+
+bool Changes::require_element(const Slot& slot, const ast::Node& node) {
+    const bool is_one = !siblings_of(*slot.unit, node).elements.empty();
+    if (!is_one && fault_.empty())
+        fault_ = "this " + quoted(to_string(node.kind)) + " is no element of a list";
+    return is_one;
 }
 
 // On a line of its own behind `offset`, as far in as the line of `node` is, and `further`.
@@ -227,11 +226,24 @@ void Changes::insert_line_behind(const Slot& slot, const ast::Node& node, std::u
 
 void Changes::append(const Slot& slot, const ast::StatementList& list, const Statement& statement) {
     if (list.statements.size() == 1 && list.statements[0]->kind == ast::NodeKind::empty_statement)
-        replace(slot, *list.statements[0], statement);
+        append_to_empty(slot, *list.statements[0], statement);
     else if (!list.statements.empty())
         insert_after(slot, *list.statements.back(), statement);
     else
         insert_line_behind(slot, list, slot.unit->range(list).end, statement, "    ");
+}
+
+// The first statement takes the `;` of the empty one, and each later one that of the one before.
+void Changes::append_to_empty(const Slot& slot, const ast::Node& empty, const AnyPart& statement) {
+    if (std::ranges::find(accompanied_, &empty) == accompanied_.end()) {
+        replace_node(slot, empty, statement);
+        return put_beside(slot, empty);
+    }
+    if (fault_.empty())
+        fault_ = statement.fault();
+    const Unit& unit = *slot.unit;
+    const TextRange range = unit.range(empty);
+    edit(slot, range, moved_in(";\n" + statement.text(), indentation(unit, range.begin)));
 }
 
 void Changes::append(const Slot& slot, const ast::VariableDeclarations& block,
@@ -264,57 +276,9 @@ void Changes::append_block(const Slot& slot, const ast::List<ast::VariableDeclar
     insert_line_behind(slot, last, end, block, blocks.empty() ? "    " : "");
 }
 
-// ---- what is taken out -------------------------------------------------------------------------
-
 void Changes::remove(const Slot& slot, const ast::Node& node) {
-    const Unit& unit = *slot.unit;
-    const ast::Node* parent = parent_of(unit, node);
-    const TextRange range = unit.range(node);
-    if (const auto* list = parent ? ast::as<ast::StatementList>(parent) : nullptr;
-        list != nullptr && list->statements.size() == 1)
-        return edit(slot, range, "");
-    if (const auto* block = parent ? ast::as<ast::VariableDeclarations>(parent) : nullptr;
-        block != nullptr && block->declarations.size() == 1)
-        return remove_line(slot, unit.range(*block));
-    if (!has_comma(node.kind))
-        return remove_line(slot, {range.begin, end_with_semicolon(unit, node)});
-    remove_with_comma(slot, node);
-}
-
-// The comma behind it, or that before the last element.
-void Changes::remove_with_comma(const Slot& slot, const ast::Node& node) {
-    const Unit& unit = *slot.unit;
-    TextRange range = unit.range(node);
-    if (const auto behind = token_at(unit, node.end_token, TokenKind::comma)) {
-        range.end = behind->end();
-    } else if (node.first_token > 0) {
-        const Token before = unit.tokens()[node.first_token - 1];
-        const std::string_view gap = unit.text({before.end(), range.begin});
-        if (before.kind() == TokenKind::comma && std::ranges::all_of(gap, is_blank))
-            range.begin = before.offset();
-        else if (before.kind() == TokenKind::comma)
-            edit(slot, before.range(), "");
-    }
-    remove_line(slot, range);
-}
-
-// With the blanks beside it, and its lines when nothing else stands in them.
-void Changes::remove_line(const Slot& slot, TextRange range) {
-    const Unit& unit = *slot.unit;
-    const std::string_view text = unit.text();
-    std::uint32_t end = range.end;
-    while (end < text.size() && is_blank(text[end]))
-        ++end;
-    const bool ends_line = end == text.size() || text[end] == '\n' || text[end] == '\r';
-    if (ends_line && begins_line(unit, range.begin)) {
-        range.begin = line_start(unit, range.begin);
-        end += end < text.size() ? 1 : 0;
-        end += end < text.size() && text[end - 1] == '\r' && text[end] == '\n' ? 1 : 0;
-    } else if (ends_line) {
-        while (range.begin > 0 && is_blank(text[range.begin - 1]))
-            --range.begin;
-    }
-    edit(slot, {range.begin, end}, "");
+    if (require_element(slot, node))
+        removals_.push_back({slot, &node});
 }
 
 // ---- what comes of it --------------------------------------------------------------------------
@@ -341,19 +305,31 @@ std::string Changes::fault() const {
 
 std::vector<TextEdit> Changes::edits() const {
     std::vector<TextEdit> sorted = edits_;
-    std::ranges::stable_sort(sorted, {}, [](const TextEdit& edit) {
-        return std::pair(edit.range.begin, edit.range.end);
-    });
+    std::ranges::stable_sort(sorted, {}, place_of);
+    take_out(sorted, removals_, accompanied_);
+    std::ranges::stable_sort(sorted, {}, place_of);
     return sorted;
 }
 
+// Edits of one unit, and of units side by side, are made in one go: reading a long unit once for
+// each of its edits would take a time that grows with their square.
 std::optional<SyntaxTree> Changes::tree() const {
     if (!fault().empty())
         return std::nullopt;
-    SyntaxTree changed = tree_;
+    const SourceText source = tree_.source();
     const std::vector<TextEdit> sorted = edits();
-    for (auto edit = sorted.rbegin(); edit != sorted.rend(); ++edit) // those before stay in place
-        changed = changed.edited(edit->range, edit->replacement);
+    const auto slot_at = [&](std::uint32_t offset) { return &tree_.slot_at(offset); };
+    SyntaxTree changed = tree_;
+    for (std::size_t end = sorted.size(); end > 0;) { // from the last: those before stay in place
+        std::size_t begin = end - 1;
+        while (begin > 0 &&
+               slot_at(sorted[begin].range.begin) <= slot_at(sorted[begin - 1].range.end) + 1)
+            --begin;
+        const TextRange range{sorted[begin].range.begin, sorted[end - 1].range.end};
+        changed = changed.edited(
+            range, edited_text(source.bytes(), range, {&sorted[begin], &sorted[end - 1] + 1}));
+        end = begin;
+    }
     return changed;
 }
 

@@ -27,6 +27,10 @@ namespace {
 
 } // namespace
 
+Part<ast::Identifier> identifier(std::string_view name) {
+    return std::move(Assembly().name(name)).finish<ast::Identifier>();
+}
+
 Part<ast::VariableName> variable_name(std::string_view name) {
     return std::move(Assembly().name(name, NameKind::variable)).finish<ast::VariableName>();
 }

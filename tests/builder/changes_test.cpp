@@ -252,5 +252,184 @@ TEST(Changes, PutCopiesInTheirPlaces) {
     }
 }
 
+// ---- several changes in one list ---------------------------------------------------------------
+
+// A piece of a program, and its tree.
+struct Piece {
+    SyntaxTree tree;
+
+    explicit Piece(std::string_view text) : tree(tree_of(text)) {}
+
+    [[nodiscard]] const SyntaxTree::Slot& slot() const { return tree.slots()[0]; }
+    template<class T>
+    [[nodiscard]] std::vector<const T*> all() const {
+        std::vector<const T*> found;
+        ast::walk(slot().unit->root(), [&](const ast::Node& node) {
+            if (const T* one = ast::as<T>(&node))
+                found.push_back(one);
+            return ast::Walk::into;
+        });
+        return found;
+    }
+    // The text without those of its `T`s whose numbers are given.
+    template<class T>
+    [[nodiscard]] std::string without(const std::vector<std::size_t>& numbers) const {
+        Changes changes(tree);
+        for (const std::size_t number : numbers)
+            changes.remove(slot(), *all<T>().at(number));
+        EXPECT_EQ(changes.fault(), "");
+        return apply_edits(tree.source().bytes(), changes.edits());
+    }
+};
+
+TEST(Changes, RemoveSeveralStatements) {
+    const Piece piece("PROGRAM p\n    IF a THEN\n        b := 1; c := 2;\n        d := 3;\n"
+                      "    END_IF;\nEND_PROGRAM\n");
+    using Assignment = ast::AssignmentStatement;
+    EXPECT_EQ(piece.without<Assignment>({0, 1}),
+              "PROGRAM p\n    IF a THEN\n        d := 3;\n    END_IF;\nEND_PROGRAM\n");
+    EXPECT_EQ(piece.without<Assignment>({2, 0, 1}),
+              "PROGRAM p\n    IF a THEN\n        ;\n    END_IF;\nEND_PROGRAM\n");
+}
+
+TEST(Changes, RemoveSeveralOfAListWithCommas) {
+    const Piece piece("PROGRAM p\n    f(a := 1, b := 2, c := 3);\nEND_PROGRAM\n");
+    const auto call = [](std::string_view arguments) {
+        return "PROGRAM p\n    f(" + std::string(arguments) + ");\nEND_PROGRAM\n";
+    };
+    using Argument = ast::InputArgument;
+    EXPECT_EQ(piece.without<Argument>({0, 1}), call("c := 3"));
+    EXPECT_EQ(piece.without<Argument>({1, 2}), call("a := 1"));
+    EXPECT_EQ(piece.without<Argument>({2, 0}), call("b := 2"));
+    EXPECT_EQ(piece.without<Argument>({0, 1, 2}), call(""));
+    EXPECT_EQ(piece.without<Argument>({1, 1}), call("a := 1, c := 3")) << "once is enough";
+    const Piece step("PROGRAM p\n    INITIAL_STEP s:\n        a(N, x, y);\n    END_STEP\n"
+                     "END_PROGRAM\n");
+    EXPECT_EQ(step.without<ast::VariableName>({0, 1}),
+              "PROGRAM p\n    INITIAL_STEP s:\n        a(N);\n    END_STEP\nEND_PROGRAM\n");
+}
+
+TEST(Changes, RemoveSeveralDeclarations) {
+    const Piece piece("FUNCTION f : INT\n    VAR\n        a : INT;\n        b : INT;\n"
+                      "    END_VAR\n    f := 1;\nEND_FUNCTION\n");
+    EXPECT_EQ(piece.without<ast::VariableDeclaration>({0, 1}),
+              "FUNCTION f : INT\n    f := 1;\nEND_FUNCTION\n");
+    const Piece type("TYPE\n    A : INT;\n    B : INT;\nEND_TYPE\n");
+    EXPECT_EQ(type.without<ast::TypeDeclaration>({0, 1}), "");
+}
+
+TEST(Changes, RemoveNamesOfADeclaration) {
+    const Piece piece("FUNCTION f : INT VAR a, b, c : INT; END_VAR f := 1; END_FUNCTION\n");
+    EXPECT_EQ(piece.without<ast::Identifier>({1}),
+              "FUNCTION f : INT VAR b, c : INT; END_VAR f := 1; END_FUNCTION\n");
+    EXPECT_EQ(piece.without<ast::Identifier>({2, 3}),
+              "FUNCTION f : INT VAR a : INT; END_VAR f := 1; END_FUNCTION\n");
+}
+
+// What is put in beside an element that is taken out comes into its place.
+TEST(Changes, PutOthersInThePlaceOfAnElement) {
+    const Piece piece("PROGRAM p\n    a := 1;\n    f(a := 1, b := 2);\nEND_PROGRAM\n");
+    const auto& statement = *piece.all<ast::AssignmentStatement>().at(0);
+    Changes changes(piece.tree);
+    changes.insert_before(piece.slot(), statement, return_statement());
+    changes.remove(piece.slot(), statement);
+    changes.insert_after(piece.slot(), statement, exit_statement());
+    for (const ast::InputArgument* argument : piece.all<ast::InputArgument>()) {
+        changes.remove(piece.slot(), *argument);
+        changes.insert_after(piece.slot(), *argument, input_argument("c", variable_name("x")));
+        changes.insert_after(piece.slot(), *argument, input_argument("d", variable_name("y")));
+    }
+    expect_text(changes, "PROGRAM p\n    RETURN;\n    EXIT;\n"
+                         "    f(c := x, d := y, c := x, d := y);\nEND_PROGRAM\n");
+}
+
+TEST(Changes, RemoveAllAndAppend) {
+    const Piece piece("PROGRAM p\n    VAR\n        a : INT;\n        b : INT;\n    END_VAR\n"
+                      "    a := 1; (* so *)\n    b := 2;\nEND_PROGRAM\n");
+    Changes changes(piece.tree);
+    for (const auto* statement : piece.all<ast::AssignmentStatement>())
+        changes.remove(piece.slot(), *statement);
+    for (const auto* declaration : piece.all<ast::VariableDeclaration>())
+        changes.remove(piece.slot(), *declaration);
+    changes.append(piece.slot(), *piece.all<ast::StatementList>().at(0), exit_statement());
+    changes.append(piece.slot(), *piece.all<ast::VariableDeclarations>().at(0),
+                   variable_declaration({"c"}, elementary_type_name("INT")));
+    expect_text(changes, "PROGRAM p\n    VAR\n        c : INT;\n    END_VAR\n"
+                         "    (* so *)\n    EXIT;\nEND_PROGRAM\n");
+}
+
+TEST(Changes, AppendSeveralToAnEmptyList) {
+    const Piece piece("PROGRAM p\n    WHILE a DO\n        ;\n    END_WHILE;\nEND_PROGRAM\n");
+    Changes changes(piece.tree);
+    const auto& list = *piece.all<ast::WhileStatement>().at(0)->statements;
+    changes.append(piece.slot(), list, fb_invocation("f", {}));
+    changes.append(piece.slot(), list, exit_statement());
+    expect_text(changes, "PROGRAM p\n    WHILE a DO\n        f();\n        EXIT;\n"
+                         "    END_WHILE;\nEND_PROGRAM\n");
+}
+
+TEST(Changes, KeepCommentsBehindTheirElements) {
+    const Piece piece("TYPE\n    E : (\n        one, (* first *)\n        two (* second *)\n"
+                      "    );\nEND_TYPE\n");
+    Changes changes(piece.tree);
+    for (const auto* value : piece.all<ast::EnumeratedValueDeclaration>()) {
+        changes.insert_after(piece.slot(), *value, enumerated_value_declaration("x"));
+        changes.insert_after(piece.slot(), *value, enumerated_value_declaration("y"));
+    }
+    expect_text(changes, "TYPE\n    E : (\n        one, (* first *)\n        x,\n        y,\n"
+                         "        two, (* second *)\n        x,\n        y\n    );\nEND_TYPE\n");
+    for (const auto* value : piece.all<ast::EnumeratedValueDeclaration>())
+        changes.remove(piece.slot(), *value);
+    expect_text(changes, "TYPE\n    E : (\n        (* first *)\n        x,\n        y,\n"
+                         "        (* second *)\n        x,\n        y\n    );\nEND_TYPE\n");
+}
+
+// Beside an operand or an initial value nothing can stand, and it cannot be left out.
+TEST(Changes, AreRefusedOutsideOfLists) {
+    const Piece piece("PROGRAM p\n    VAR a : INT := 1; END_VAR\n    a := a + 1;\n"
+                      "END_PROGRAM\n");
+    const auto& operand = *piece.all<ast::BinaryExpression>().at(0)->left;
+    Changes beside(piece.tree);
+    beside.insert_after(piece.slot(), operand, variable_name("b"));
+    EXPECT_EQ(beside.fault(), "this `variable_name` is no element of a list");
+    Changes without(piece.tree);
+    without.remove(piece.slot(), *piece.all<ast::IntegerLiteral>().at(0));
+    EXPECT_EQ(without.fault(), "this `integer_literal` is no element of a list");
+    EXPECT_FALSE(without.tree().has_value());
+    Changes without_all(piece.tree);
+    without_all.remove(piece.slot(), piece.slot().unit->root());
+    EXPECT_EQ(without_all.fault(), "this `library_unit` is no element of a list");
+    EXPECT_TRUE(without_all.edits().empty());
+}
+
+TEST(Changes, GiveNewNames) {
+    const Piece piece(
+        "PROGRAM p\n    VAR\n        a, b : INT;\n    END_VAR\n    a := 1;\nEND_PROGRAM\n");
+    Changes changes(piece.tree);
+    changes.replace(piece.slot(), *piece.all<ast::Identifier>().at(0), identifier("Main"));
+    changes.insert_after(piece.slot(), *piece.all<ast::Identifier>().at(1), identifier("c"));
+    expect_text(changes, "PROGRAM Main\n    VAR\n        a, c, b : INT;\n    END_VAR\n    a := 1;\n"
+                         "END_PROGRAM\n");
+    EXPECT_EQ(identifier("IF").fault(), "`IF` is no identifier");
+}
+
+// Edits of one unit are made in one go; the time does not grow with their square.
+TEST(Changes, ChangeManyPlaces) {
+    std::string text;
+    for (int i = 0; i < 9; ++i)
+        text += "PROGRAM p\n    a := b;\n    a := b;\n    a := b;\nEND_PROGRAM\n\n";
+    const SyntaxTree tree = tree_of(text);
+    Changes changes(tree);
+    for (std::size_t i : {0U, 1U, 5U})
+        ast::walk(tree.slots()[i].unit->root(), [&](const ast::Node& node) {
+            if (const auto* name = ast::as<ast::VariableName>(&node))
+                changes.replace(tree.slots()[i], *name, variable_name("count"));
+            return ast::Walk::into;
+        });
+    expect_text(changes, apply_edits(text, changes.edits()));
+    EXPECT_EQ(changes.tree()->slots()[3].unit, tree.slots()[3].unit);
+    EXPECT_EQ(changes.tree()->slots()[8].unit, tree.slots()[8].unit);
+}
+
 } // namespace
 } // namespace iecfront::test

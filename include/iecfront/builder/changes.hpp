@@ -48,6 +48,14 @@ struct Place {
 template<class Kind>
 using PartFor = Part<typename Place<Kind>::Category>;
 
+namespace detail {
+// What is taken out.
+struct Removal {
+    SyntaxTree::Slot slot;
+    const ast::Node* node;
+};
+} // namespace detail
+
 /// Changes to a tree, collected and then made together. The tree itself stays as it is, and the
 /// changed one shares all units with it that no change touches.
 ///
@@ -91,13 +99,15 @@ public:
     void append(const SyntaxTree::Slot& slot, const ast::ProgramDeclaration& program,
                 const Part<ast::VariableDeclarations>& block);
 
-    /// Takes an element out of its list, with the `;` or the comma that goes with it. The only
-    /// declaration of a block of variables takes the block with it, and the only statement of a
-    /// list leaves its `;`. Comments stay.
+    /// Takes an element out of its list, with the `;` or the comma that goes with it. When all
+    /// declarations of a block of variables or types go, the block goes with them; when all
+    /// statements of a list go, a `;` stays. What is put in beside the element, before or later,
+    /// comes into its place. Comments stay.
     void remove(const SyntaxTree::Slot& slot, const ast::Node& node);
 
     /// What is wrong: the first fault of a part; a character that the encoding of the tree lacks;
-    /// two changes of the same place. Empty when all is well.
+    /// a node that is no element of a list, where one is needed; two changes of the same place.
+    /// Empty when all is well.
     [[nodiscard]] std::string fault() const;
     /// The changes as edits of the file, by their place; for an editor that makes them itself.
     [[nodiscard]] std::vector<TextEdit> edits() const;
@@ -116,13 +126,19 @@ private:
     void append_block(const SyntaxTree::Slot& slot,
                       const ast::List<ast::VariableDeclarations>& blocks, const ast::Node& head,
                       const AnyPart& block);
-    void remove_with_comma(const SyntaxTree::Slot& slot, const ast::Node& node);
-    void remove_line(const SyntaxTree::Slot& slot, TextRange range);
+    void insert_behind_comments(const SyntaxTree::Slot& slot, const ast::Node& node,
+                                std::uint32_t end, const AnyPart& part);
+    void append_to_empty(const SyntaxTree::Slot& slot, const ast::Node& empty,
+                         const AnyPart& statement);
+    void put_beside(const SyntaxTree::Slot& slot, const ast::Node& node);
+    bool require_element(const SyntaxTree::Slot& slot, const ast::Node& node);
     void edit(const SyntaxTree::Slot& slot, TextRange range, std::string_view replacement);
 
     SyntaxTree tree_;
     std::string fault_;
-    std::vector<TextEdit> edits_; // as they came
+    std::vector<TextEdit> edits_; // that put something in, as they came
+    std::vector<detail::Removal> removals_;
+    std::vector<const ast::Node*> accompanied_; // what something was put in beside
 };
 
 } // namespace iecfront::build

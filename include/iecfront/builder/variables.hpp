@@ -10,6 +10,9 @@
 /// Variables and their declaration (B.1.4).
 namespace iecfront::build {
 
+/// A name where it is declared, for `Changes`: all functions that make declarations take text.
+[[nodiscard]] IECFRONT_API Part<ast::Identifier> identifier(std::string_view name);
+
 /// A name as an operand. EN and ENO are variables as well.
 [[nodiscard]] IECFRONT_API Part<ast::VariableName> variable_name(std::string_view name);
 
