@@ -144,6 +144,11 @@ Assembly& Assembly::operand(const AnyPart& part, ast::UnaryOperator op) {
     return text(adjoins ? " " : "").operand(part, strength::primary);
 }
 
+Assembly& Assembly::variable(const AnyPart& part) {
+    return this->part(part).require(part.strength_ == strength::primary,
+                                    quoted(part.text()) + " is no variable");
+}
+
 Assembly& Assembly::indented(const AnyPart& part, std::string_view behind) {
     require(part.fault().empty(), part.fault());
     const std::string text = '\n' + part.text();

@@ -56,6 +56,8 @@ public:
     Assembly& operand(const AnyPart& part, std::uint8_t least);
     /// The same behind a unary operator. A sign before a number would belong to the constant.
     Assembly& operand(const AnyPart& part, ast::UnaryOperator op);
+    /// A variable before a `.` or a `[`. To an operation they would go with its last operand.
+    Assembly& variable(const AnyPart& part);
     /// `before`, and the part, when there is one.
     template<class P>
     Assembly& optional(std::string_view before, const std::optional<P>& part);

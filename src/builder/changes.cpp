@@ -17,6 +17,15 @@ namespace {
 
 using Slot = SyntaxTree::Slot;
 
+// True when a `.`, a `[` or a `^` belongs to `node`, a child of `parent`.
+[[nodiscard]] bool is_variable_of(const ast::Node* parent, const ast::Node& node) {
+    if (const auto* array = ast::as<ast::ArrayVariable>(parent))
+        return array->subscripted_variable == &node;
+    if (const auto* record = ast::as<ast::StructuredVariable>(parent))
+        return record->record_variable == &node;
+    return ast::as<ast::DereferencedVariable>(parent) != nullptr;
+}
+
 // `part` as it can stand where `node` stands.
 [[nodiscard]] AnyPart fitted(const Unit& unit, const ast::Node& node, const AnyPart& part) {
     const ast::Node* parent = parent_of(unit, node);
@@ -27,6 +36,8 @@ using Slot = SyntaxTree::Slot;
     } else if (const auto* unary =
                    parent != nullptr ? ast::as<ast::UnaryExpression>(parent) : nullptr) {
         assembly.operand(part, unary->op);
+    } else if (is_variable_of(parent, node)) {
+        assembly.variable(part);
     } else {
         assembly.part(part);
     }

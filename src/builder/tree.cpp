@@ -62,6 +62,16 @@ namespace {
     });
 }
 
+[[nodiscard]] bool is_utf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const DecodedCharacter character = decode_character(text, i, Encoding::utf8);
+        if (!character.valid)
+            return false;
+        i += character.size;
+    }
+    return true;
+}
+
 [[nodiscard]] std::uint8_t strength_of(const ast::Node& node) {
     if (const auto* binary = ast::as<ast::BinaryExpression>(&node))
         return build::strength_of(binary->op);
@@ -91,6 +101,7 @@ AnyPart copied(const Unit& unit, const ast::Node& node) {
 
 AnyPart with_comment(const AnyPart& part, std::string_view comment) {
     Assembly assembly;
+    assembly.require(is_utf8(comment), "a comment is not UTF-8");
     assembly.text(layout::as_comment(' ' + std::string(comment) + ' ')).text("\n").part(part);
     return std::move(assembly).finish(part.kind(), strength::primary);
 }

@@ -43,20 +43,20 @@ Part<ast::ArrayVariable> array_variable(const Expression& subscripted_variable,
                                         const std::vector<Expression>& subscripts) {
     Assembly assembly;
     assembly.require(!subscripts.empty(), "an array variable has no subscript");
-    return std::move(assembly.part(subscripted_variable).text("[").list(subscripts).text("]"))
+    return std::move(assembly.variable(subscripted_variable).text("[").list(subscripts).text("]"))
         .finish<ast::ArrayVariable>();
 }
 
 Part<ast::StructuredVariable> structured_variable(const Expression& record_variable,
                                                   std::string_view field_selector) {
     Assembly assembly;
-    assembly.part(record_variable).text(".").name(field_selector, NameKind::variable);
+    assembly.variable(record_variable).text(".").name(field_selector, NameKind::variable);
     return std::move(assembly).finish<ast::StructuredVariable>();
 }
 
 Part<ast::StructuredVariable> structured_variable(const Expression& resource,
                                                   const Part<ast::DirectVariable>& variable) {
-    return std::move(Assembly().part(resource).text(".").part(variable))
+    return std::move(Assembly().variable(resource).text(".").part(variable))
         .finish<ast::StructuredVariable>();
 }
 

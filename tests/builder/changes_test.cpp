@@ -402,6 +402,21 @@ TEST(Changes, AreRefusedOutsideOfLists) {
     EXPECT_TRUE(without_all.edits().empty());
 }
 
+TEST(Changes, PutNoOperationInThePlaceOfAVariable) {
+    const Piece piece("PROGRAM p\n    a.x := b[i];\nEND_PROGRAM\n");
+    const Expression sum =
+        binary_expression(ast::BinaryOperator::add, variable_name("a"), variable_name("b"));
+    const std::vector<const ast::VariableName*> names = piece.all<ast::VariableName>();
+    for (const std::size_t variable : {0U, 1U}) {
+        Changes changes(piece.tree);
+        changes.replace(piece.slot(), *names.at(variable), sum);
+        EXPECT_EQ(changes.fault(), "`a + b` is no variable");
+    }
+    Changes subscript(piece.tree);
+    subscript.replace(piece.slot(), *names.at(2), sum);
+    expect_text(subscript, "PROGRAM p\n    a.x := b[a + b];\nEND_PROGRAM\n");
+}
+
 TEST(Changes, GiveNewNames) {
     const Piece piece(
         "PROGRAM p\n    VAR\n        a, b : INT;\n    END_VAR\n    a := 1;\nEND_PROGRAM\n");

@@ -66,8 +66,14 @@ public:
         return around(node, input_argument("zz", variable_name("zz")));
     }
     ast::Walk visit(const ast::Expression& node) {
-        replace(node, binary_expression(ast::BinaryOperator::add, variable_name("zz"),
-                                        integer_literal(1)));
+        const Expression sum =
+            binary_expression(ast::BinaryOperator::add, variable_name("zz"), integer_literal(1));
+        Changes changes(tree_);
+        changes.replace(slot_, node, sum);
+        if (changes.fault() == "`zz + 1` is no variable")
+            replace(node, variable_name("zz"));
+        else
+            check(changes, false, node);
         return ast::Walk::into;
     }
 

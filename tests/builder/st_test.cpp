@@ -93,6 +93,16 @@ TEST(BuiltExpressions, NegateNumbers) {
                         "(integer_literal \"-5\")"));
 }
 
+// In `a + b.c` the point would go with `b` alone.
+TEST(BuiltExpressions, AreNoVariablesWhenTheyAreOperations) {
+    const Expression sum =
+        binary_expression(ast::BinaryOperator::add, variable_name("a"), variable_name("b"));
+    EXPECT_EQ(structured_variable(sum, "c").fault(), "`a + b` is no variable");
+    EXPECT_EQ(array_variable(sum, {integer_literal(1)}).fault(), "`a + b` is no variable");
+    EXPECT_EQ(array_variable(variable_name("a"), {sum}).fault(), "");
+    EXPECT_EQ(structured_variable(variable_name("IF"), "c").fault(), "`IF` is no identifier");
+}
+
 TEST(BuiltStatements, AreLaidOut) {
     const Expression x = variable_name("x");
     const Statement increment =

@@ -78,6 +78,11 @@ TEST(BuiltFragments, AreRead) {
                         ast::NodeKind::variable_declarations));
 }
 
+TEST(BuiltComments, AreUtf8) {
+    EXPECT_EQ(commented(exit_statement(), "\xC3\xA4").fault(), "");
+    EXPECT_EQ(commented(exit_statement(), "\xE4").fault(), "a comment is not UTF-8");
+}
+
 TEST(Copies, HaveTheStrengthOfTheirOperator) {
     const Expression product = copied(expression_tree("a*b"));
     const Expression sum = copied(expression_tree("a + (* c *) b"));
