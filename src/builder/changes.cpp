@@ -218,10 +218,20 @@ void Changes::put_beside(const Slot& slot, const ast::Node& node) {
 }
 
 bool Changes::require_element(const Slot& slot, const ast::Node& node) {
+    if (!require_own(slot))
+        return false;
     const bool is_one = !siblings_of(*slot.unit, node).elements.empty();
     if (!is_one && fault_.empty())
         fault_ = "this " + quoted(to_string(node.kind)) + " is no element of a list";
     return is_one;
+}
+
+bool Changes::require_own(const Slot& slot) {
+    const Slot& own = tree_.slot_at(slot.offset);
+    const bool is_own = own.unit == slot.unit && own.offset == slot.offset;
+    if (!is_own && fault_.empty())
+        fault_ = "a slot is of another tree";
+    return is_own;
 }
 
 // On a line of its own behind `offset`, as far in as the line of `node` is, and `further`.
@@ -295,6 +305,8 @@ void Changes::remove(const Slot& slot, const ast::Node& node) {
 // ---- what comes of it --------------------------------------------------------------------------
 
 void Changes::edit(const Slot& slot, TextRange range, std::string_view replacement) {
+    if (!require_own(slot))
+        return;
     const std::string apart = set_apart(slot.unit->text(), range, replacement);
     const std::string text = with_line_ends(apart, layout::line_end_of(tree_));
     const std::optional<std::string> bytes = encoded(text, tree_.encoding());

@@ -417,6 +417,16 @@ TEST(Changes, PutNoOperationInThePlaceOfAVariable) {
     expect_text(subscript, "PROGRAM p\n    a.x := b[a + b];\nEND_PROGRAM\n");
 }
 
+TEST(Changes, AreRefusedForAnotherTree) {
+    const Piece piece("PROGRAM p\n    a := 1;\nEND_PROGRAM\n");
+    const Piece other("PROGRAM p\n    a := 1; a := 2; a := 3;\nEND_PROGRAM\n");
+    Changes changes(piece.tree);
+    changes.replace(other.slot(), *other.all<ast::IntegerLiteral>().at(2), integer_literal(4));
+    changes.remove(other.slot(), *other.all<ast::AssignmentStatement>().at(0));
+    EXPECT_EQ(changes.fault(), "a slot is of another tree");
+    EXPECT_FALSE(changes.tree().has_value());
+}
+
 TEST(Changes, GiveNewNames) {
     const Piece piece(
         "PROGRAM p\n    VAR\n        a, b : INT;\n    END_VAR\n    a := 1;\nEND_PROGRAM\n");

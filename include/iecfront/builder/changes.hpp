@@ -106,8 +106,8 @@ public:
     void remove(const SyntaxTree::Slot& slot, const ast::Node& node);
 
     /// What is wrong: the first fault of a part; a character that the encoding of the tree lacks;
-    /// a node that is no element of a list, where one is needed; two changes of the same place.
-    /// Empty when all is well.
+    /// a node that is no element of a list, where one is needed; a slot of another tree; two
+    /// changes of the same place. Empty when all is well.
     [[nodiscard]] std::string fault() const;
     /// The changes as edits of the file, by their place; for an editor that makes them itself.
     [[nodiscard]] std::vector<TextEdit> edits() const;
@@ -131,6 +131,7 @@ private:
     void append_to_empty(const SyntaxTree::Slot& slot, const ast::Node& empty,
                          const AnyPart& statement);
     void put_beside(const SyntaxTree::Slot& slot, const ast::Node& node);
+    bool require_own(const SyntaxTree::Slot& slot);
     bool require_element(const SyntaxTree::Slot& slot, const ast::Node& node);
     void edit(const SyntaxTree::Slot& slot, TextRange range, std::string_view replacement);
 
