@@ -137,10 +137,12 @@ private:
         return nullptr;
     }
     [[nodiscard]] std::span<TextEdit> edits_at(std::uint32_t offset) {
-        const auto place = [](const TextEdit& edit) {
-            return std::pair(edit.range.begin, edit.range.end);
+        const auto before = [](const TextEdit& a, const TextEdit& b) {
+            return std::pair(a.range.begin, a.range.end) < std::pair(b.range.begin, b.range.end);
         };
-        return std::ranges::equal_range(edits_, std::pair(offset, offset), {}, place);
+        const TextEdit here{{offset, offset}, ""};
+        const auto [first, last] = std::equal_range(edits_.begin(), edits_.end(), here, before);
+        return {first, last};
     }
 
     // With the comma behind it when something behind that stays, otherwise with that before it.
