@@ -36,8 +36,9 @@ struct WrittenText {
 
 /// Writes `tree` as standard text (1.5.1 j): its tokens in the agreed layout, and in ISO 646.
 /// Characters beyond it become `$hh` and `$hhhh` in strings, by their value, and comments in the
-/// form of other languages become `(* *)`. The tree of the result equals `tree`. Of a tree with
-/// faults, what could not be read is written as it was.
+/// form of other languages become `(* *)`. The tree of the result equals `tree`. What the standard
+/// has no form for stands as it was: other extensions, which the findings of the tree name, and
+/// what could not be read of a tree with faults.
 [[nodiscard]] IECFRONT_API WrittenText write(const SyntaxTree& tree,
                                              const WriteOptions& options = {});
 
