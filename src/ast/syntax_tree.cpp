@@ -1,9 +1,13 @@
 #include "ast/slot_columns.hpp"
 
 #include <iecfront/ast/syntax_tree.hpp>
+#include <iecfront/lexer/name.hpp>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 namespace iecfront {
 namespace {
@@ -67,6 +71,14 @@ using Slot = SyntaxTree::Slot;
             found = &child;
     });
     return found;
+}
+
+// True for the report of this word of another edition.
+[[nodiscard]] bool is_foreign(const Diagnostic& diagnostic, std::string_view quoted_word) noexcept {
+    if (diagnostic.id != DiagnosticId::foreign_construct || diagnostic.arguments.empty())
+        return false;
+    const auto* word = std::get_if<std::string>(&diagnostic.arguments.front());
+    return word != nullptr && names_equal(*word, quoted_word);
 }
 
 } // namespace
@@ -156,8 +168,15 @@ HostPlace SyntaxTree::host_place(std::uint32_t offset, ColumnUnit unit) const no
 
 std::vector<Diagnostic> SyntaxTree::diagnostics() const {
     std::vector<Diagnostic> result;
+    std::uint32_t namespaces = 0; // open, and reported
     for (const Slot& slot : *slots_)
         for (const Diagnostic& diagnostic : slot.unit->diagnostics()) {
+            // A unit cannot know that the namespace was reported that it ends.
+            if (namespaces > 0 && is_foreign(diagnostic, "`END_NAMESPACE`")) {
+                --namespaces;
+                continue;
+            }
+            namespaces += is_foreign(diagnostic, "`NAMESPACE`") ? 1 : 0;
             result.push_back(shifted(diagnostic, slot.offset));
             if (result.size() > options_.maximum_diagnostics) {
                 result.back() = {DiagnosticId::too_many_diagnostics,

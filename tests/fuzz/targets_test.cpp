@@ -37,7 +37,7 @@ TEST_P(Targets, FindNothingInNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Targets,
                          testing::ValuesIn(fuzz_targets().begin(), fuzz_targets().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& target) { return std::string(target.param.name); });
 
 // tests/fuzz/findings/<target>/<what it is>
 TEST(Findings, AreFoundNoMore) {
