@@ -1672,8 +1672,8 @@ const char* Lexer::look_alike(const char* begin, const DecodedCharacter& charact
         return end;
     }
     // `:=` with a colon of full width, and perhaps a sign that is.
-    const DecodedCharacter behind = extents_.decode(end);
-    const bool wide = end != end_ && behind.valid && behind.code_point == 0xFF1D;
+    const DecodedCharacter behind = end == end_ ? DecodedCharacter{} : extents_.decode(end);
+    const bool wide = behind.valid && behind.code_point == 0xFF1D;
     if (!wide && *end != '=') {
         emit(TokenKind::colon, begin, end, true);
         return end;

@@ -738,4 +738,11 @@ TEST(Lexer, FaultyTokensAreMarked) {
     EXPECT_TRUE(result.tokens[3].malformed());
 }
 
+// What may follow is not looked for behind the end.
+TEST(Lexer, AFullWidthColonMayEndTheText) {
+    const LexedText result = lexed("a\xEF\xBC\x9A");
+    ASSERT_EQ(result.tokens.size(), 3U);
+    EXPECT_EQ(result.tokens[1].kind(), TokenKind::colon);
+}
+
 } // namespace
