@@ -1,11 +1,11 @@
 #include "benchmark/measurements.hpp"
 
+#include "benchmark/count_nodes.hpp"
 #include "benchmark/counted_memory.hpp"
 #include "benchmark/generated_words.hpp"
 #include "benchmark/stopwatch.hpp"
 #include "parser/unit_parser.hpp"
 
-#include <iecfront/ast/visitor.hpp>
 #include <iecfront/format/formatter.hpp>
 #include <iecfront/parser/parse.hpp>
 
@@ -31,16 +31,6 @@ volatile std::size_t sink;
     return sum;
 }
 
-[[nodiscard]] std::size_t walk_all(const SyntaxTree& tree) {
-    std::size_t nodes = 0;
-    for (const SyntaxTree::Slot& slot : tree.slots())
-        ast::walk(slot.unit->root(), [&nodes](const ast::Node&) {
-            ++nodes;
-            return ast::Walk::into;
-        });
-    return nodes;
-}
-
 class Measurement {
 public:
     Measurement(const Options& options, const std::string& name, std::string text)
@@ -58,7 +48,7 @@ public:
         table_.text = source_.name() + ": " + std::to_string(buffer_->size()) + " bytes, " +
                       std::to_string(lines_) + " lines, " + std::to_string(tokens_) + " tokens, " +
                       std::to_string(tree_.slots().size()) + " units, " +
-                      std::to_string(walk_all(tree_)) + " nodes";
+                      std::to_string(count_nodes(tree_)) + " nodes";
         measure_plain_loops();
         measure_steps();
         if (options_.wants("memory"))
@@ -87,7 +77,7 @@ private:
             sink = lex_units(buffer_, source_.encoding(), true, FragmentKind::library).cuts.size();
         });
         measure("parse", [this] { sink = parse(source_).slots().size(); });
-        measure("walk", [this] { sink = walk_all(tree_); });
+        measure("walk", [this] { sink = count_nodes(tree_); });
         measure("format", [this] { sink = format(tree_).size(); });
     }
 

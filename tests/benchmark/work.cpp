@@ -5,11 +5,11 @@
 // TEXT is `generated` or the name of a shape; `iecfront_work shapes` lists these. Each step does
 // what those before it do, so that differences are what a step alone takes.
 
+#include "benchmark/count_nodes.hpp"
 #include "benchmark/generator.hpp"
 #include "benchmark/shapes.hpp"
 #include "parser/unit_parser.hpp"
 
-#include <iecfront/ast/visitor.hpp>
 #include <iecfront/diagnostics/render_text.hpp>
 #include <iecfront/parser/parse.hpp>
 
@@ -22,16 +22,6 @@
 
 namespace iecfront::bench {
 namespace {
-
-[[nodiscard]] std::size_t count_nodes(const SyntaxTree& tree) {
-    std::size_t nodes = 0;
-    for (const SyntaxTree::Slot& slot : tree.slots())
-        ast::walk(slot.unit->root(), [&nodes](const ast::Node&) {
-            ++nodes;
-            return ast::Walk::into;
-        });
-    return nodes;
-}
 
 /// A number that depends on all that was done.
 [[nodiscard]] std::size_t do_step(std::string_view step, const SourceText& source) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <iecfront/ast/syntax_tree.hpp>
+#include <iecfront/ast/visitor.hpp>
+
+#include <cstddef>
+
+namespace iecfront::bench {
+
+/// By a walk over all of them.
+[[nodiscard]] inline std::size_t count_nodes(const SyntaxTree& tree) {
+    std::size_t nodes = 0;
+    for (const SyntaxTree::Slot& slot : tree.slots())
+        ast::walk(slot.unit->root(), [&nodes](const ast::Node&) {
+            ++nodes;
+            return ast::Walk::into;
+        });
+    return nodes;
+}
+
+} // namespace iecfront::bench
