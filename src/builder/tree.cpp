@@ -1,4 +1,5 @@
 #include "builder/assembly.hpp"
+#include "builder/places.hpp"
 #include "format/comment_text.hpp"
 #include "source/utf8.hpp"
 
@@ -20,20 +21,6 @@ namespace {
         i += character.size;
     }
     return out;
-}
-
-[[nodiscard]] bool is_blank(char c) noexcept {
-    return c == ' ' || c == '\t';
-}
-
-// How many blanks the line begins with that `offset` lies in.
-[[nodiscard]] std::size_t indentation_at(const Unit& unit, std::uint32_t offset) {
-    const std::string_view text = unit.text();
-    const std::uint32_t begin = unit.lines().line_start(unit.lines().line_of(offset));
-    std::size_t size = 0;
-    while (begin + size < text.size() && is_blank(text[begin + size]))
-        ++size;
-    return size;
 }
 
 // With LF for every line end, and its lines but the first so many blanks further out.
@@ -95,7 +82,7 @@ AnyPart copied(const Unit& unit, const ast::Node& node) {
     Assembly assembly;
     assembly.require(is_whole(node), "what is copied has a violation of the syntax in it")
         .text(moved_out(in_utf8(unit.text(range), unit.encoding()),
-                        indentation_at(unit, range.begin)));
+                        indentation(unit, range.begin).size()));
     return std::move(assembly).finish(node.kind, strength_of(node));
 }
 
