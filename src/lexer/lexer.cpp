@@ -1733,6 +1733,12 @@ const char* Lexer::operator_of_other_language(const char* begin) {
 const char* Lexer::unexpected(const char* begin) {
     if (const char* const end = operator_of_other_language(begin))
         return end;
+    if (begin[0] == '?' && begin[1] == '=') { // the attempt to assign a reference
+        report(DiagnosticId::foreign_construct, range(begin, begin + 2)).arguments = {
+            std::string("`?=`"), std::string("the third edition")};
+        emit(TokenKind::assign, begin, begin + 2, true);
+        return begin + 2;
+    }
     if (*begin == '$')
         if (const char* const end =
                 hexadecimal_of_other_language(begin, extents_.word_end(begin + 1)))

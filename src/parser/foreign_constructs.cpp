@@ -61,6 +61,15 @@ bool Parser::report_foreign_element() {
     return true;
 }
 
+/// Behind a foreign element, at the next one: what stands in a class or interface belongs to that.
+bool Parser::at_next_foreign_element() const noexcept {
+    static constexpr std::array<std::string_view, 3> closers = {"END_CLASS", "END_INTERFACE",
+                                                                "END_NAMESPACE"};
+    static constexpr std::array<std::string_view, 2> of_namespaces = {"NAMESPACE", "END_NAMESPACE"};
+    return token().first_on_line() &&
+           (is_one_of(closers, text(at_ - 1)) || is_one_of(of_namespaces, text(at_)));
+}
+
 /// At METHOD or PROPERTY with a name, first on its line.
 bool Parser::at_foreign_member() const noexcept {
     return at(TokenKind::identifier) && token().first_on_line() &&

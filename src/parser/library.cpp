@@ -109,10 +109,15 @@ void Parser::skip_stray_text(ListBuilder<ast::Node>& elements, std::uint32_t end
     if (at_ >= end)
         return;
     auto* skipped = make<ast::SkippedText>();
-    if (!follows_unclosed() && !report_foreign_element())
+    const bool unclosed_before = follows_unclosed();
+    const bool foreign = !unclosed_before && report_foreign_element();
+    if (!unclosed_before && !foreign)
         report_at(at_, DiagnosticId::expected_library_element, {describe(at_)});
-    while (at_ < end)
+    while (at_ < end) {
         advance();
+        if (foreign && at_ < end && at_next_foreign_element())
+            report_foreign_element();
+    }
     elements.add(finish(skipped));
 }
 

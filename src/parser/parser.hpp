@@ -847,6 +847,7 @@ private:
 
     // ---- foreign_constructs.cpp
     bool report_foreign_element();
+    [[nodiscard]] bool at_next_foreign_element() const noexcept;
     [[nodiscard]] bool at_foreign_member() const noexcept;
     void skip_foreign_member();
     void accept_foreign_modifiers();
