@@ -30,6 +30,16 @@ namespace {
     }
 }
 
+// What is missing at the end of the text is missing behind the last token, however many blank lines
+// come between.
+[[nodiscard]] TextRange place_of(const Diagnostic& diagnostic, const Unit& unit) {
+    TextRange range = diagnostic.range;
+    const std::span<const Token> tokens = unit.tokens();
+    if (!tokens.empty())
+        range.begin = std::min(range.begin, tokens.back().end());
+    return range;
+}
+
 [[nodiscard]] TextRange whole_lines(std::string_view text, TextRange range) {
     const std::size_t before = text.substr(0, range.begin).find_last_of("\r\n");
     const std::size_t behind = text.find_first_of("\r\n", range.end);
@@ -59,7 +69,7 @@ std::vector<TextRange> broken_lines(const Unit& unit) {
     std::vector<TextRange> ranges;
     for (const Diagnostic& diagnostic : unit.diagnostics())
         if (breaks_syntax(diagnostic))
-            ranges.push_back(diagnostic.range);
+            ranges.push_back(place_of(diagnostic, unit));
     ast::walk(unit.root(), [&](const ast::Node& node) {
         if (stands_for_error(node.kind) || node.missing)
             ranges.push_back(unit.range(node));

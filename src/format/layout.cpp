@@ -384,8 +384,9 @@ private:
         at(token).space = false;
         return ast::Walk::into;
     }
+    // Where a word belongs another token can stand, of which the case may matter.
     ast::Walk word(std::uint32_t token) {
-        at(token).word = true;
+        at(token).word = kind(token) == TokenKind::identifier || is_keyword(kind(token));
         return ast::Walk::into;
     }
     // A keyword where it is a name (an extension) is spelt as a name is.

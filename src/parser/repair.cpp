@@ -247,7 +247,8 @@ private:
     }
 
     [[nodiscard]] bool is_possible(const Change& change) const {
-        if (change.token >= tokens_.size() - 1)
+        // What the opener is decides what the unit is.
+        if (change.token >= tokens_.size() - 1 || change.token == input_.opener)
             return false;
         const Token token = tokens_[change.token];
         // A `;` at the end of a line is where it belongs, or in the place of another mark.

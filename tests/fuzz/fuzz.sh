@@ -20,6 +20,7 @@ fuzz() {
         -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 -dict="$build/fuzz/dictionary" \
         -artifact_prefix="$folder/" "$folder/corpus" "$build/fuzz/seeds" > "$folder/log" 2>&1; then
         tail -n 60 "$folder/log"
+        find "$folder" -maxdepth 1 -type f ! -name log -printf '%f\n' -exec base64 '{}' ';'
         return 1
     fi
     printf '%-9s %s, %s\n' "$1" "$(grep -o 'DONE.*' "$folder/log")" \
