@@ -185,7 +185,7 @@ bool UnitCutter::is_stray_closer(std::size_t i) const noexcept {
         return false;
     if (is_delimiter(next.kind()) && next.kind() != TokenKind::semicolon)
         return !at(i + 2).first_on_line() && !begins_unit(at(i + 2));
-    const bool behind_name = i == opener_ + 2;
+    const bool behind_name = open_ != TokenKind::end_of_unit && i == opener_ + 2;
     if (i == unit_begin_ || tokens_[i].first_on_line() || behind_name)
         return false;
     const TokenKind before = tokens_[i - 1].kind();
