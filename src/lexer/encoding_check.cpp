@@ -1,5 +1,6 @@
 #include "lexer/encoding_check.hpp"
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -7,14 +8,14 @@
 namespace iecfront {
 namespace {
 
-/// Whether the eight bytes from `offset` on are there and all ASCII, as nearly all are.
-[[nodiscard]] bool eight_are_ascii(std::string_view text, std::size_t offset) noexcept {
+/// How many bytes from `offset` on are ASCII as a block, which nearly all of a text is.
+[[nodiscard]] std::size_t ascii_block(std::string_view text, std::size_t offset) noexcept {
     constexpr std::uint64_t high_bits = 0x8080808080808080U;
-    std::uint64_t eight = 0;
-    if (text.size() - offset < sizeof eight)
-        return false;
-    std::memcpy(&eight, text.data() + offset, sizeof eight);
-    return (eight & high_bits) == 0;
+    std::array<std::uint64_t, 4> words;
+    if (text.size() - offset < sizeof words)
+        return 0;
+    std::memcpy(words.data(), text.data() + offset, sizeof words);
+    return ((words[0] | words[1] | words[2] | words[3]) & high_bits) == 0 ? sizeof words : 0;
 }
 
 [[nodiscard]] Diagnostic broken_byte(std::string_view text, std::uint32_t offset,
@@ -33,8 +34,8 @@ std::optional<Diagnostic> check_encoding(std::string_view text, Encoding encodin
     if (encoding == Encoding::iso_8859_1)
         return std::nullopt; // every byte is a character
     for (std::size_t offset = 0; offset < text.size();) {
-        if (eight_are_ascii(text, offset)) {
-            offset += 8;
+        if (const std::size_t size = ascii_block(text, offset); size > 0) {
+            offset += size;
             continue;
         }
         const DecodedCharacter character = decode_character(text, offset, encoding);

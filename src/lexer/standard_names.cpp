@@ -1,6 +1,7 @@
 #include "lexer/standard_names.hpp"
 
 #include "lexer/keywords.hpp"
+#include "lexer/name_table.hpp"
 
 #include <array>
 #include <optional>
@@ -92,43 +93,15 @@ constexpr std::size_t longest_name = std::string_view("DATE_AND_TIME_TO_TIME_OF_
 // Both lists as one, functions first.
 constexpr std::size_t name_count = functions.size() + function_blocks.size();
 
-[[nodiscard]] constexpr std::string_view name_at(std::size_t index) noexcept {
-    return index < functions.size() ? functions[index].name
-                                    : function_blocks[index - functions.size()];
-}
-
-// A hash table with linear probing, as every variable of a program is looked up in it: most names
-// meet an empty slot at once.
-constexpr std::uint8_t empty_slot = 0xFF;
-static_assert(name_count < empty_slot);
-using SlotTable = std::array<std::uint8_t, 1024>;
-
-[[nodiscard]] consteval SlotTable slot_table() {
-    SlotTable table{};
-    for (std::uint8_t& slot : table)
-        slot = empty_slot;
-    for (std::size_t i = 0; i < name_count; ++i) {
-        std::size_t slot = hash_name(name_at(i)) % table.size();
-        while (table[slot] != empty_slot)
-            slot = (slot + 1) % table.size();
-        table[slot] = static_cast<std::uint8_t>(i);
-    }
-    return table;
-}
-
-constexpr SlotTable slots = slot_table();
-
-// The index of a name in both lists, `name_count` when it is in none.
-[[nodiscard]] std::size_t find_name(std::string_view name, std::uint32_t hash) noexcept {
-    for (std::size_t slot = hash % slots.size(); slots[slot] != empty_slot;
-         slot = (slot + 1) % slots.size())
-        if (names_equal(name_at(slots[slot]), name))
-            return slots[slot];
-    return name_count;
-}
+constexpr NameTable<name_count> names([] {
+    std::array<std::string_view, name_count> all;
+    for (std::size_t i = 0; i < name_count; ++i)
+        all[i] = i < functions.size() ? functions[i].name : function_blocks[i - functions.size()];
+    return all;
+}());
 
 [[nodiscard]] const Function* find_function(std::string_view name) noexcept {
-    const std::size_t index = find_name(name, hash_name(name));
+    const std::size_t index = names.find(name, hash_name(name));
     return index < functions.size() ? &functions[index] : nullptr;
 }
 
@@ -206,22 +179,28 @@ constexpr SlotTable slots = slot_table();
 }
 
 // True for the last two letters of a type: most names are told apart by them.
-[[nodiscard]] bool may_end_type(char before, char last) noexcept {
+[[nodiscard]] bool may_end_type(std::string_view name) noexcept {
+    constexpr std::uint32_t last_letters = 1U << ('D' - '@') | 1U << ('E' - '@') |
+                                           1U << ('G' - '@') | 1U << ('L' - '@') |
+                                           1U << ('T' - '@') | 1U << ('Y' - '@');
+    if (name.size() < 2)
+        return false;
+    const char last = fold(name.back());
+    if (last < '@' || last > 'Z' || ((last_letters >> (last - '@')) & 1U) == 0)
+        return false;
+    const char before = fold(name[name.size() - 2]);
     switch (last) {
     case 'D': return before == 'R' || before == 'O';
     case 'E': return before == 'M' || before == 'T';
     case 'G': return before == 'N';
     case 'L': return before == 'O' || before == 'A';
     case 'T': return before == 'N' || before == 'D';
-    case 'Y': return before == 'A';
-    default: return false;
+    default: return before == 'A';
     }
 }
 
 // The names that are built from others end in a type; DAY is the end of TIME_OF_DAY.
 [[nodiscard]] bool ends_in_type(std::string_view name) noexcept {
-    if (name.size() < 2 || !may_end_type(fold(name[name.size() - 2]), fold(name.back())))
-        return false;
     const std::size_t underscore = name.rfind('_');
     if (underscore == std::string_view::npos)
         return false;
@@ -231,18 +210,23 @@ constexpr SlotTable slots = slot_table();
 
 } // namespace
 
-StandardName standard_name(std::string_view name, std::uint32_t hash) noexcept {
+StandardName find_standard_name(std::string_view name, std::uint32_t hash) noexcept {
     if (name.size() > longest_name)
         return StandardName::none;
-    if (const std::size_t index = find_name(name, hash); index != name_count)
+    if (const std::size_t index = names.find(name, hash); index != name_count)
         return index < functions.size() ? StandardName::function : StandardName::function_block;
-    if (ends_in_type(name) && (is_typed_function(name) || is_conversion(name)))
+    if (may_end_type(name) && ends_in_type(name) &&
+        (is_typed_function(name) || is_conversion(name)))
         return StandardName::function;
     return StandardName::none;
 }
 
+bool may_be_standard_name(std::string_view name, std::uint32_t hash) noexcept {
+    return names.may_hold(hash) || may_end_type(name);
+}
+
 StandardName standard_name(std::string_view name) noexcept {
-    return standard_name(name, hash_name(name));
+    return find_standard_name(name, hash_name(name));
 }
 
 } // namespace iecfront

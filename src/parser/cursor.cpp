@@ -353,8 +353,10 @@ const ast::Identifier* Parser::parse_declared_name(std::string_view what) {
 /// Annex C reserves the names of standard functions for calls, and those of standard function
 /// blocks for types. Once a unit: what follows the first report is the same mistake.
 void Parser::check_standard_name(TextRange range, std::uint32_t hash, NameUse use) {
-    const std::string_view name = text_.substr(range.begin, range.size());
-    const StandardName standard = standard_name(name, hash);
+    const std::string_view name(text_.data() + range.begin, range.size());
+    if (!may_be_standard_name(name, hash))
+        return;
+    const StandardName standard = find_standard_name(name, hash);
     const bool function = standard == StandardName::function;
     if (standard == StandardName::none || use == (function ? NameUse::call : NameUse::type) ||
         std::find(standard_names_.begin(), standard_names_.end(), hash) != standard_names_.end())

@@ -1,3 +1,4 @@
+#include "lexer/name_table.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/name.hpp>
@@ -20,7 +21,7 @@ namespace {
 using ast::IlModifier;
 using ast::IlOperator;
 
-constexpr std::array<IlOperatorRow, 47> il_operators{{
+constexpr std::array<IlOperatorRow, 43> il_operators{{
     {"LD", IlOperator::load},
     {"LDN", IlOperator::load, IlModifier::negated},
     {"ST", IlOperator::store},
@@ -65,6 +66,13 @@ constexpr std::array<IlOperatorRow, 47> il_operators{{
     {"IN", IlOperator::in},
     {"PT", IlOperator::pt},
 }};
+
+constexpr NameTable<il_operators.size()> il_operator_names([] {
+    std::array<std::string_view, il_operators.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = il_operators[i].spelling;
+    return names;
+}());
 
 /// il_expr_operator: what can wait for the result of instructions in parentheses.
 constexpr bool waits_for_result(IlOperator op) noexcept {
@@ -336,10 +344,8 @@ const IlOperatorRow* Parser::il_operator(std::uint32_t index) const noexcept {
     std::string_view word = text(index);
     if (at_ampersand_n(index))
         word = "&N";
-    const auto* row =
-        std::find_if(il_operators.begin(), il_operators.end(),
-                     [word](const IlOperatorRow& one) { return names_equal(one.spelling, word); });
-    return row == il_operators.end() ? nullptr : row;
+    const std::size_t row = il_operator_names.find(word, hash_name(word));
+    return row == il_operators.size() ? nullptr : &il_operators[row];
 }
 
 /// True when `&` and `N` adjoin, and more stands behind them: alone, N is the operand of `&`.

@@ -54,13 +54,20 @@ namespace detail {
 
 /// Hash of a name with its case folded: names that differ in case only have the same (2.1.2).
 [[nodiscard]] constexpr std::uint32_t hash_name(std::string_view name) noexcept {
+    constexpr std::size_t step = sizeof(std::uint64_t);
     std::uint64_t hash = name.size();
-    for (std::size_t i = 0; i < name.size(); i += sizeof(hash)) {
-        const std::size_t size = std::min(sizeof(hash), name.size() - i);
-        hash ^= detail::fold_bytes(detail::load_bytes(name.data() + i, size));
+    const auto mix = [&](std::size_t begin, std::size_t size) {
+        hash ^= detail::fold_bytes(detail::load_bytes(name.data() + begin, size));
         hash *= 0x9E3779B97F4A7C15U; // odd, of mixed bits; what it mixes is in the upper half
         hash ^= hash >> 32;
+    };
+    if (name.size() < step) {
+        mix(0, name.size());
+        return static_cast<std::uint32_t>(hash);
     }
+    for (std::size_t i = step; i < name.size(); i += step)
+        mix(i - step, step);
+    mix(name.size() - step, step); // overlaps with what is before it
     return static_cast<std::uint32_t>(hash);
 }
 
