@@ -2,8 +2,6 @@
 
 #include <iecfront/lexer/name.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
 
 namespace iecfront {
@@ -12,20 +10,6 @@ namespace {
 // Operators of IL that are operators of ST as well, and can begin a line there, too.
 constexpr TokenSet common_operators{TokenKind::kw_and, TokenKind::kw_or,  TokenKind::kw_xor,
                                     TokenKind::kw_mod, TokenKind::kw_not, TokenKind::ampersand};
-
-// il_simple_operator, il_expr_operator, il_call_operator, il_return_operator, il_jump_operator, but
-// for those that are keywords (B.2.2).
-constexpr std::array<std::string_view, 36> il_operators{
-    "LD", "LDN", "ST",   "STN", "S",    "R",     "S1",  "R1",   "CLK",   "CU",  "CD",   "PV",
-    "IN", "PT",  "ANDN", "ORN", "XORN", "ADD",   "SUB", "MUL",  "DIV",   "GT",  "GE",   "EQ",
-    "LT", "LE",  "NE",   "CAL", "CALC", "CALCN", "RET", "RETC", "RETCN", "JMP", "JMPC", "JMPCN"};
-
-bool is_il_operator(std::string_view word) noexcept {
-    constexpr std::size_t longest = 5; // most names are longer
-    return word.size() <= longest &&
-           std::any_of(il_operators.begin(), il_operators.end(),
-                       [word](std::string_view op) { return names_equal(word, op); });
-}
 
 } // namespace
 
@@ -70,6 +54,11 @@ bool Parser::begins_deferred_operation(std::uint32_t index) const noexcept {
 /// deferred operation, and an operator of both languages that begins the body. What may as well
 /// continue an expression counts behind another instruction only.
 Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const noexcept {
+    const bool assignment = tokens_[index].kind() == TokenKind::identifier &&
+                            tokens_[index + 1].kind() == TokenKind::assign &&
+                            !tokens_[index + 1].first_on_line();
+    if (assignment) // as most lines are
+        return LineKind::other;
     const bool labelled = tokens_[index].kind() == TokenKind::identifier &&
                           tokens_[next(index)].kind() == TokenKind::colon;
     if (labelled)
@@ -86,18 +75,18 @@ Parser::LineKind Parser::line_kind(std::uint32_t index, LineKind before) const n
     const bool common = common_operators.contains(tokens_[index].kind());
     if (!common && tokens_[index].kind() != TokenKind::identifier)
         return LineKind::other;
-    const bool il_operator = !common && is_il_operator(text(index));
+    const bool operation = !common && il_operator(index) != nullptr;
     if (common && index == at_)
         return LineKind::application;
     const std::uint32_t third = next(second);
     if (common && operand && !tokens_[third].first_on_line() &&
         operator_strength(tokens_[third].kind()) > 0)
         return LineKind::other; // `AND a OR b` goes on with an expression
-    if (common || (il_operator && (alone || sign)))
+    if (common || (operation && (alone || sign)))
         return before == LineKind::other ? LineKind::other : LineKind::operation;
-    if (il_operator && operand)
+    if (operation && operand)
         return LineKind::operation;
-    const bool deferred = il_operator && begins_deferred_operation(index);
+    const bool deferred = operation && begins_deferred_operation(index);
     return operand || deferred ? LineKind::application : LineKind::other;
 }
 
@@ -150,7 +139,7 @@ private:
 /// Enough to be sure: to count all of each body takes a twentieth of the time of parsing.
 bool Parser::BodySurvey::is_decided() const noexcept {
     // More than a stretch of the other language has that somebody left at the begin of a body.
-    constexpr std::int32_t decisive_lead = 50;
+    constexpr std::int32_t decisive_lead = 20;
     constexpr std::int32_t decisive_chart = 3; // more than one element has
     return std::abs(instructions_ - statements_) >= decisive_lead || chart_words_ >= decisive_chart;
 }
@@ -193,7 +182,7 @@ void Parser::BodySurvey::count_statement(bool counts) noexcept {
 /// True at the parenthesis of a call of ST. Behind that of an IL call the line ends.
 bool Parser::BodySurvey::is_call(std::uint32_t open) const noexcept {
     return line_ == LineKind::other && !behind_instruction_ && depth_ == 0 && open > begin_ &&
-           kind(open - 1) == TokenKind::identifier && !is_il_operator(parser_.text(open - 1)) &&
+           kind(open - 1) == TokenKind::identifier && parser_.il_operator(open - 1) == nullptr &&
            !parser_.ends_operator(open - 1) && !parser_.tokens_[parser_.next(open)].first_on_line();
 }
 

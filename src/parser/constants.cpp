@@ -5,9 +5,6 @@
 namespace iecfront {
 namespace {
 
-constexpr TokenSet literals = TokenSet::range(TokenKind::integer, TokenKind::date_and_time) |
-                              TokenSet{TokenKind::kw_true, TokenKind::kw_false};
-
 constexpr TokenSet numbers{TokenKind::integer, TokenKind::real};
 
 // The kind of a typed literal is that of the type before its `#`.

@@ -79,6 +79,30 @@ constexpr TokenSet possible_operators = [] {
     return set;
 }();
 
+// Operators of this language that are one token.
+constexpr TokenSet plain_operators = [] {
+    TokenSet set{};
+    for (std::size_t i = 0; i < token_kind_count; ++i)
+        if (operator_table[i].strength > 0 && operator_table[i].meant.empty())
+            set = set | TokenSet{static_cast<TokenKind>(i)};
+    return set;
+}();
+
+// What is part of the operator before it in other languages, or when they are apart.
+constexpr TokenSet second_halves{TokenKind::less, TokenKind::greater, TokenKind::equal,
+                                 TokenKind::equal_equal, TokenKind::star};
+
+// Behind an operand: it has no parts, and is not the whole of a mistake.
+constexpr TokenSet behind_plain_operand{
+    TokenKind::semicolon,     TokenKind::comma,   TokenKind::right_parenthesis,
+    TokenKind::kw_or,         TokenKind::kw_xor,  TokenKind::kw_and,
+    TokenKind::ampersand,     TokenKind::equal,   TokenKind::not_equal,
+    TokenKind::less,          TokenKind::greater, TokenKind::less_equal,
+    TokenKind::greater_equal, TokenKind::plus,    TokenKind::star,
+    TokenKind::slash,         TokenKind::kw_mod,  TokenKind::kw_then,
+    TokenKind::kw_do,         TokenKind::kw_of,   TokenKind::kw_to,
+    TokenKind::kw_by};
+
 constexpr unsigned weakest = 1;
 constexpr unsigned equality = 4;
 constexpr unsigned relation = 5;
@@ -154,6 +178,13 @@ const ast::Expression* Parser::parse_binary(unsigned minimum) {
 /// Part of expression: precedence climbing over Table 55; all operators associate to the left.
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
     while (at(possible_operators)) {
+        if (at_plain_operator()) {
+            const OperatorRow& row = operator_table[static_cast<std::size_t>(kind())];
+            if (row.strength < minimum)
+                return left;
+            left = parse_operation(left, row.op, row.strength);
+            continue;
+        }
         if (at_shift() && minimum <= relation) {
             left = parse_shift(left);
             continue;
@@ -183,15 +214,27 @@ const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, un
             report_at(at_, DiagnosticId::foreign_operator,
                       {std::string(text(at_)), std::string(row.meant)})
                 .replace(token().range(), std::string(row.meant));
-        auto* node = make_from<ast::BinaryExpression>(left);
-        advance();
-        node->op = row.op;
-        node->left = left;
-        const bool alone = left->missing && !begins_operand(kind()); // lacks both, as was reported
-        node->right = alone ? make_missing<ast::ErrorExpression>() : parse_binary(row.strength + 1);
-        left = finish(node);
+        left = parse_operation(left, row.op, row.strength);
     }
     return left;
+}
+
+/// An operator of which no other reading has to be considered.
+bool Parser::at_plain_operator() const noexcept {
+    return at(plain_operators) && !second_halves.contains(tokens_[at_ + 1].kind()) &&
+           !in_instructions_;
+}
+
+/// Part of expression: an operator and its right operand.
+const ast::Expression* Parser::parse_operation(const ast::Expression* left, ast::BinaryOperator op,
+                                               unsigned strength) {
+    auto* node = make_from<ast::BinaryExpression>(left);
+    advance();
+    node->op = op;
+    node->left = left;
+    const bool alone = left->missing && !begins_operand(kind()); // lacks both, as was reported
+    node->right = alone ? make_missing<ast::ErrorExpression>() : parse_binary(strength + 1);
+    return finish(node);
 }
 
 /// `<<` or `>>`.
@@ -204,13 +247,15 @@ const ast::Expression* Parser::parse_shift(const ast::Expression* left) {
     auto* node = make_from<ast::ErrorExpression>(left);
     const TextRange range = token_range(at_, next(at_) + 1);
     const std::string function = at(TokenKind::less) ? "SHL" : "SHR";
-    const Report shift = report(DiagnosticId::foreign_operator, range,
-                                {std::string(text_.substr(range.begin, 2)), function + "(...)"});
+    const Report shift = report_at(at_, DiagnosticId::foreign_operator,
+                                   {std::string(text_.substr(range.begin, 2)), function + "(...)"});
+    if (shift)
+        diagnostics_[shift.index()].range = range;
     advance();
     advance();
     const ast::Expression* right = parse_binary(relation + 1);
     finish(node);
-    if (right->missing)
+    if (!shift || left->missing || right->missing)
         return node;
     const TextRange operands = token_range(node->first_token, node->end_token);
     const std::uint32_t left_end = token_range(left->first_token, left->end_token).end;
@@ -276,6 +321,8 @@ void Parser::accept_split_operator(TokenKind meant) {
 //                    ( ":=" expression | "=>" variable ) { "," param_assignment } ")" ;
 // unary_operator = "-" | "NOT" ;
 const ast::Expression* Parser::parse_unary() {
+    if (at_plain_operand())
+        return at(TokenKind::identifier) ? parse_variable_name() : parse_constant();
     if (at_signed_number())
         return parse_constant();
     const bool minus = at(TokenKind::minus);
@@ -308,6 +355,12 @@ const ast::Expression* Parser::parse_unary() {
         report_at(at_, DiagnosticId::repeated_unary_operator);
     node->operand = parse_unary();
     return finish(node);
+}
+
+/// A name or literal that is an operand as it stands, which nearly all of them are.
+bool Parser::at_plain_operand() const noexcept {
+    return at(plain_operands) && !token().first_on_line() &&
+           behind_plain_operand.contains(tokens_[at_ + 1].kind());
 }
 
 /// `NTO a`

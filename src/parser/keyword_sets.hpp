@@ -54,6 +54,13 @@ inline constexpr TokenSet part_words{TokenKind::kw_then, TokenKind::kw_do, Token
 /// Execution control of functions, which have names of their own (2.5.1.2).
 inline constexpr TokenSet execution_control{TokenKind::kw_en, TokenKind::kw_eno};
 
+/// Constants, of one token but for their sign.
+inline constexpr TokenSet literals = TokenSet::range(TokenKind::integer, TokenKind::date_and_time) |
+                                     TokenSet{TokenKind::kw_true, TokenKind::kw_false};
+
+/// Operands of one token that need not be looked at.
+inline constexpr TokenSet plain_operands = literals | TokenSet{TokenKind::identifier};
+
 /// Delimiters that end something.
 inline constexpr TokenSet closing_brackets{TokenKind::right_parenthesis, TokenKind::right_bracket};
 

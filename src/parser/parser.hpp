@@ -269,6 +269,8 @@ private:
         TokenKind closer;
         std::uint32_t opener;
         bool in_else = false; // of IF or CASE: no other part follows
+        // When it and the opener begin lines, until their columns are compared.
+        std::optional<std::uint32_t> first_statement = {};
         // Of its opener, when its statements are indented: none of them begins in it, or before it.
         std::optional<std::uint32_t> column = {};
         std::optional<std::uint32_t> label = {}; // of CASE: the last one that begins a line
@@ -564,6 +566,10 @@ private:
     const ast::Expression* parse_expression();
     const ast::Expression* parse_condition();
     const ast::Expression* parse_binary(unsigned minimum);
+    [[nodiscard]] bool at_plain_operator() const noexcept;
+    [[nodiscard]] bool at_plain_operand() const noexcept;
+    const ast::Expression* parse_operation(const ast::Expression* left, ast::BinaryOperator op,
+                                           unsigned strength);
     const ast::Expression* parse_binary_rest(const ast::Expression* left, unsigned minimum);
     const ast::Expression* parse_unary();
     [[nodiscard]] TokenKind split_operator() const noexcept;
@@ -633,7 +639,7 @@ private:
     [[nodiscard]] bool at_plain_assignment() const noexcept;
     [[nodiscard]] bool at_end_of_statements();
     void look_at_indentation() noexcept;
-    [[nodiscard]] bool at_outdented_statement() const noexcept;
+    [[nodiscard]] bool at_outdented_statement() noexcept;
     [[nodiscard]] bool at_split_closer() const noexcept;
     void skip_stray_word(bool first_in_list);
     [[nodiscard]] std::uint32_t first_indented_above() const noexcept;

@@ -283,7 +283,7 @@ void Parser::close_block(std::string_view terminator) {
     const std::string_view closer = spelling(block.closer);
     closer_assumed_ = false;
     if (at(block.closer)) {
-        if (closes_outer_block() && unclosed(block.closer) > 0)
+        if (unclosed(block.closer) > 0 && closes_outer_block())
             report_missing_closer(terminator);
         else
             advance();

@@ -13,6 +13,11 @@ namespace {
 // Of what can hold statements.
 constexpr TokenSet inner_closers = statement_closers | TokenSet{TokenKind::kw_end_action};
 
+// Close or part something, which is not open where they stand for a statement.
+constexpr TokenSet stray_words =
+    statement_closers | other_closers |
+    TokenSet{TokenKind::kw_else, TokenKind::kw_elsif, TokenKind::kw_until};
+
 } // namespace
 
 // ---- statement lists ----------------------------------------------------------------------------
@@ -46,8 +51,7 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
             expect_semicolon_of_statement(*statement);
             continue;
         }
-        if (at(statement_closers) || at(other_closers) || at(TokenKind::kw_else) ||
-            at(TokenKind::kw_elsif) || at(TokenKind::kw_until) || at_split_closer()) {
+        if (at(stray_words) || at_split_closer()) {
             skip_stray_word(statements.empty());
             continue;
         }
@@ -100,17 +104,21 @@ bool Parser::at_end_of_statements() {
 void Parser::look_at_indentation() noexcept {
     OpenBlock& block = open_.back();
     block.column.reset();
-    if (!statement_closers.contains(block.closer) || !token().first_on_line() ||
-        !tokens_[block.opener].first_on_line())
-        return;
-    const std::uint32_t outer = column(block.opener);
-    if (column(at_) > outer)
-        block.column = outer;
+    block.first_statement.reset();
+    if (statement_closers.contains(block.closer) && token().first_on_line() &&
+        tokens_[block.opener].first_on_line())
+        block.first_statement = at_;
 }
 
 /// At a statement that by its column stands behind the innermost block.
-bool Parser::at_outdented_statement() const noexcept {
-    const OpenBlock& block = open_.back();
+bool Parser::at_outdented_statement() noexcept {
+    OpenBlock& block = open_.back();
+    if (block.first_statement) { // asked for the first time
+        const std::uint32_t outer = column(block.opener);
+        if (column(*block.first_statement) > outer)
+            block.column = outer;
+        block.first_statement.reset();
+    }
     return block.column && token().first_on_line() && at_statement_start() &&
            column(at_) <= *block.column;
 }
@@ -222,7 +230,7 @@ bool Parser::joined_by_operator(std::uint32_t index) const noexcept {
 
 /// `END IF` and its like.
 bool Parser::at_split_closer() const noexcept {
-    return at_word("END") && block_statements.contains(peek()) &&
+    return block_statements.contains(peek()) && at_word("END") &&
            !tokens_[next(at_)].first_on_line();
 }
 
