@@ -7,9 +7,6 @@
 namespace iecfront::layout {
 namespace {
 
-// Between the longest line and the comments behind all lines.
-constexpr std::uint32_t blanks_before_comment = 2;
-
 constexpr std::size_t cell_count = 4;
 
 [[nodiscard]] constexpr std::size_t index_of(Cell cell) noexcept {

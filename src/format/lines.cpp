@@ -6,9 +6,6 @@
 namespace iecfront::layout {
 namespace {
 
-// Between code and a comment behind it.
-constexpr std::uint32_t blanks_before_comment = 2;
-
 // Words behind which an expression stands; its lines begin below its first one.
 [[nodiscard]] bool precedes_expression(TokenKind kind) noexcept {
     switch (kind) {

@@ -11,6 +11,9 @@
 // A unit as a row of pieces: its tokens, comments and pragmas, each with what stands before it.
 namespace iecfront::layout {
 
+/// Between code and a comment behind it.
+inline constexpr std::uint32_t blanks_before_comment = 2;
+
 /// What can stand before a piece.
 enum class Break : std::uint8_t {
     none,    ///< never a line end

@@ -49,41 +49,41 @@ constexpr std::array meanings = {
 
 /// A token that is a part of a construct, and what else of it stands before it in the statement, or
 /// behind it.
-struct Part {
+struct PartOfConstruct {
     Meaning meaning;
     TokenKind other;
     TokenKind another;
     bool behind = false;
 };
-constexpr std::array parts = {
-    Part{{TokenKind::kw_then, Meaning::operand, Meaning::any},
-         TokenKind::kw_if,
-         TokenKind::kw_elsif},
-    Part{
+constexpr std::array parts_of_constructs = {
+    PartOfConstruct{{TokenKind::kw_then, Meaning::operand, Meaning::any},
+                    TokenKind::kw_if,
+                    TokenKind::kw_elsif},
+    PartOfConstruct{
         {TokenKind::kw_do, Meaning::operand, Meaning::any}, TokenKind::kw_for, TokenKind::kw_while},
-    Part{{TokenKind::kw_of, Meaning::operand, Meaning::any},
-         TokenKind::kw_case,
-         TokenKind::kw_array},
-    Part{{TokenKind::kw_to, Meaning::operand, Meaning::operand},
-         TokenKind::kw_for,
-         TokenKind::kw_for},
-    Part{{TokenKind::dot_dot, Meaning::operand, Meaning::operand},
-         TokenKind::left_bracket,
-         TokenKind::left_parenthesis},
-    Part{{TokenKind::right_bracket, Meaning::operand, Meaning::none},
-         TokenKind::left_bracket,
-         TokenKind::left_bracket},
-    Part{{TokenKind::right_parenthesis, Meaning::operand, Meaning::none},
-         TokenKind::left_parenthesis,
-         TokenKind::left_parenthesis},
-    Part{{TokenKind::left_bracket, Meaning::any, Meaning::operand},
-         TokenKind::right_bracket,
-         TokenKind::right_bracket,
-         true},
-    Part{{TokenKind::left_parenthesis, Meaning::any, Meaning::operand},
-         TokenKind::right_parenthesis,
-         TokenKind::right_parenthesis,
-         true},
+    PartOfConstruct{{TokenKind::kw_of, Meaning::operand, Meaning::any},
+                    TokenKind::kw_case,
+                    TokenKind::kw_array},
+    PartOfConstruct{{TokenKind::kw_to, Meaning::operand, Meaning::operand},
+                    TokenKind::kw_for,
+                    TokenKind::kw_for},
+    PartOfConstruct{{TokenKind::dot_dot, Meaning::operand, Meaning::operand},
+                    TokenKind::left_bracket,
+                    TokenKind::left_parenthesis},
+    PartOfConstruct{{TokenKind::right_bracket, Meaning::operand, Meaning::none},
+                    TokenKind::left_bracket,
+                    TokenKind::left_bracket},
+    PartOfConstruct{{TokenKind::right_parenthesis, Meaning::operand, Meaning::none},
+                    TokenKind::left_parenthesis,
+                    TokenKind::left_parenthesis},
+    PartOfConstruct{{TokenKind::left_bracket, Meaning::any, Meaning::operand},
+                    TokenKind::right_bracket,
+                    TokenKind::right_bracket,
+                    true},
+    PartOfConstruct{{TokenKind::left_parenthesis, Meaning::any, Meaning::operand},
+                    TokenKind::right_parenthesis,
+                    TokenKind::right_parenthesis,
+                    true},
 };
 
 /// So far from a token it is looked for the rest of its construct.
@@ -183,7 +183,7 @@ public:
         for (const Meaning& meant : meanings)
             if (fits(place, meant))
                 attempt({place, meant.kind});
-        for (const Part& part : parts)
+        for (const PartOfConstruct& part : parts_of_constructs)
             if (fits(place, part.meaning) && has_rest(place, part))
                 attempt({place, part.meaning.kind});
         for (const TokenKind meant : closing_words)
@@ -271,7 +271,7 @@ private:
     }
 
     /// True when the rest of the construct stands in the statement around the token.
-    [[nodiscard]] bool has_rest(std::size_t index, const Part& part) const {
+    [[nodiscard]] bool has_rest(std::size_t index, const PartOfConstruct& part) const {
         for (std::size_t i = 0; i < furthest_part; ++i) {
             if (part.behind ? index + 1 == tokens_.size() : index == 0)
                 return false;
