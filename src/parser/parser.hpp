@@ -154,7 +154,10 @@ private:
             : parser_(parser), begin_(parser.pending_.size()) {}
         ListBuilder(const ListBuilder&) = delete;
         ListBuilder& operator=(const ListBuilder&) = delete;
-        ~ListBuilder() { parser_.pending_.resize(begin_); }
+        ~ListBuilder() {
+            const auto begin = static_cast<std::ptrdiff_t>(begin_);
+            parser_.pending_.erase(parser_.pending_.begin() + begin, parser_.pending_.end());
+        }
 
         void add(const T* node) { parser_.pending_.push_back(node); }
         [[nodiscard]] bool empty() const noexcept { return parser_.pending_.size() == begin_; }
@@ -410,6 +413,7 @@ private:
         anywhere
     };
     const ast::VariableDeclarations* parse_variable_declarations(Place place);
+    [[nodiscard]] bool at_plain_declaration() const noexcept;
     [[nodiscard]] bool at_end_of_declarations();
     [[nodiscard]] bool at_declarations_without_opener();
     [[nodiscard]] bool at_block_of_location();

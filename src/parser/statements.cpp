@@ -69,7 +69,9 @@ bool Parser::at_plain_assignment() const noexcept {
 }
 
 bool Parser::at_end_of_statements() {
-    if (at_plain_assignment())
+    static constexpr TokenSet plain_statements{TokenKind::kw_if, TokenKind::kw_for,
+                                               TokenKind::kw_repeat};
+    if (at_plain_assignment() || at(plain_statements))
         return unclosed(open_.back().closer) > 0 && at_outdented_statement();
     if (at(unit_ends) || at_foreign_closer() || at_chart_structure())
         return true;
@@ -230,7 +232,7 @@ bool Parser::joined_by_operator(std::uint32_t index) const noexcept {
 
 /// `END IF` and its like.
 bool Parser::at_split_closer() const noexcept {
-    return block_statements.contains(peek()) && at_word("END") &&
+    return at_word("END") && block_statements.contains(peek()) &&
            !tokens_[next(at_)].first_on_line();
 }
 
@@ -850,6 +852,11 @@ TokenKind Parser::missing_opener() {
         {TokenKind::kw_for, TokenKind::kw_to, TokenKind::kw_end_for},
         {TokenKind::kw_while, TokenKind::kw_do, TokenKind::kw_end_while},
     };
+    // Negative when one of them is: hardly ever.
+    if ((unclosed(TokenKind::kw_end_if) | unclosed(TokenKind::kw_end_case) |
+         unclosed(TokenKind::kw_end_for) | unclosed(TokenKind::kw_end_while) |
+         unclosed(TokenKind::kw_end_repeat)) >= 0)
+        return TokenKind::end_of_unit;
     for (const Head& head : heads)
         if (unclosed(head.closer) < 0 && find_on_line(head.word) < count_)
             return head.opener;

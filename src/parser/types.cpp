@@ -116,6 +116,8 @@ const ast::TypeDeclaration* Parser::parse_struct_before_name() {
 
 /// The `:` between a name and its type; `:=` and `=` are common slips for it.
 void Parser::expect_colon() {
+    if (!token().first_on_line() && accept(TokenKind::colon))
+        return;
     if (at_next_declaration()) {
         report_unfinished(DiagnosticId::missing_type, {describe(at_)});
         return;
@@ -176,6 +178,8 @@ bool Parser::colon_follows_on_line() const noexcept {
 // non_generic_type_name = elementary_type_name | derived_type_name ;
 /// Whatever stands behind the `:` of a declaration.
 const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use) {
+    if (is_elementary_type_name(kind()) && !token().first_on_line())
+        return parse_elementary_type();
     if (at_element_without_struct())
         return parse_structure_declaration();
     if (at_next_declaration())

@@ -64,8 +64,16 @@ constexpr BlockRow block_rows[] = {
 
 } // namespace
 
+/// `name : INT`, which can be nothing but a declaration.
+bool Parser::at_plain_declaration() const noexcept {
+    return at(TokenKind::identifier) && tokens_[at_ + 1].kind() == TokenKind::colon &&
+           !tokens_[at_ + 1].first_on_line() && is_elementary_type_name(tokens_[at_ + 2].kind());
+}
+
 bool Parser::at_end_of_declarations() {
     static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
+    if (at_plain_declaration())
+        return false;
     if (at(ends_of_declarations))
         return at_end() || at_block_of_location() ||
                (!after_name.contains(peek()) && end_of_declaration_with_stray_word() == at_);
@@ -374,6 +382,8 @@ const ast::Node* Parser::parse_declaration(const ast::VariableDeclarations& bloc
         return parse_access_declaration(place);
     if (block.block == VariableBlock::var_config)
         return parse_instance_specific_init();
+    if (at_plain_declaration())
+        return parse_variable_declaration(block, place);
     if (is_elementary_type_name(kind()) && peek() == TokenKind::identifier &&
         !tokens_[next(at_)].first_on_line())
         return parse_type_before_names();
