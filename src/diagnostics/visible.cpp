@@ -106,11 +106,11 @@ void append_shortened(std::string& out, std::string_view text, std::size_t width
         append_visible(out, text, encoding);
         return;
     }
-    constexpr std::string_view gap = "...";
-    const std::size_t tail = (width - gap.size()) / 2;
-    const std::size_t head = width - gap.size() - tail;
+    constexpr std::string_view dots = "...";
+    const std::size_t tail = (width - dots.size()) / 2;
+    const std::size_t head = width - dots.size() - tail;
     append_visible(out, text.substr(0, end_of_characters(text, head, encoding)), encoding);
-    out += gap;
+    out += dots;
     append_visible(out, text.substr(begin_of_last_characters(text, tail, encoding)), encoding);
 }
 

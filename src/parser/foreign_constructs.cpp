@@ -13,8 +13,8 @@ constexpr const char* third_edition = "the third edition";
 constexpr const char* other_dialects = "other dialects";
 
 /// Words outside every declaration. What stands in a namespace is read.
-constexpr std::array<std::string_view, 5> elements = {"CLASS", "INTERFACE", "NAMESPACE",
-                                                      "END_NAMESPACE", "USING"};
+constexpr std::array<std::string_view, 5> foreign_elements = {"CLASS", "INTERFACE", "NAMESPACE",
+                                                              "END_NAMESPACE", "USING"};
 
 /// A part of a program organization unit that the second edition does not have.
 struct Member {
@@ -54,7 +54,7 @@ bool Parser::report_foreign_element() {
     if (!at(TokenKind::identifier))
         return false;
     const Member* member = find_member(text(at_));
-    if (member == nullptr && !is_one_of(elements, text(at_)))
+    if (member == nullptr && !is_one_of(foreign_elements, text(at_)))
         return false;
     report_at(at_, DiagnosticId::foreign_construct,
               {quoted(at_), member != nullptr ? member->origin : third_edition});
