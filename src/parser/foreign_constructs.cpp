@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 6> modifiers = {"ABSTRACT", "FINAL",    "
                                                        "PRIVATE",  "INTERNAL", "PROTECTED"};
 
 /// Clauses behind the name of a program organization unit.
-constexpr std::array<std::string_view, 3> clauses = {"EXTENDS", "IMPLEMENTS", "USING"};
+constexpr std::array<std::string_view, 3> foreign_clauses = {"EXTENDS", "IMPLEMENTS", "USING"};
 
 [[nodiscard]] const Member* find_member(std::string_view word) noexcept {
     const auto* const found =
@@ -109,13 +109,13 @@ void Parser::accept_foreign_modifiers() {
 /// organization unit, also on the next line.
 bool Parser::at_foreign_clause() const noexcept {
     const std::uint32_t name = next(at_);
-    return at(TokenKind::identifier) && is_one_of(clauses, text(at_)) &&
+    return at(TokenKind::identifier) && is_one_of(foreign_clauses, text(at_)) &&
            (!token().first_on_line() ||
             (tokens_[name].kind() == TokenKind::identifier && !tokens_[name].first_on_line() &&
              tokens_[next(name)].kind() != TokenKind::assign));
 }
 
-/// One report for all clauses of the head: passes over them.
+/// One report for all foreign_clauses of the head: passes over them.
 void Parser::skip_foreign_clauses() {
     report_at(at_, DiagnosticId::foreign_construct, {quoted(at_), third_edition});
     static constexpr TokenSet in_clause{TokenKind::identifier, TokenKind::dot, TokenKind::comma};

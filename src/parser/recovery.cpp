@@ -24,7 +24,7 @@ struct BlockWords {
 };
 
 // What opens what is closed by a word of its own. Several openers can share a closing word.
-constexpr BlockWords blocks[] = {
+constexpr BlockWords block_pairs[] = {
     {TokenKind::kw_type, TokenKind::kw_end_type},
     {TokenKind::kw_function, TokenKind::kw_end_function},
     {TokenKind::kw_function_block, TokenKind::kw_end_function_block},
@@ -55,9 +55,11 @@ constexpr BlockWords blocks[] = {
 /// `END_INITIAL_STEP` for END_STEP, `END_VAR_INPUT` for END_VAR.
 bool is_made_of_opener(std::string_view word, TokenKind closer) noexcept {
     return names_equal(word.substr(0, 4), "END_") &&
-           std::any_of(std::begin(blocks), std::end(blocks), [&](const BlockWords& words) {
-               return words.closer == closer && names_equal(word.substr(4), spelling(words.opener));
-           });
+           std::any_of(std::begin(block_pairs), std::end(block_pairs),
+                       [&](const BlockWords& words) {
+                           return words.closer == closer &&
+                                  names_equal(word.substr(4), spelling(words.opener));
+                       });
 }
 
 /// `END_LOOP`, `IF_END`, `WEND` and what else ends a statement in other languages.
@@ -93,7 +95,7 @@ void Parser::count_balances() noexcept {
     std::array<std::int32_t, token_kind_count> tokens{};
     for (std::uint32_t i = 0; i < count_; ++i)
         ++tokens[static_cast<std::size_t>(tokens_[i].kind())];
-    for (const BlockWords& words : blocks)
+    for (const BlockWords& words : block_pairs)
         unclosed_[static_cast<std::size_t>(words.closer)] +=
             tokens[static_cast<std::size_t>(words.opener)];
     for (std::size_t i = 0; i < unclosed_.size(); ++i)
@@ -101,14 +103,14 @@ void Parser::count_balances() noexcept {
 }
 
 TokenKind Parser::closer_of(TokenKind opener) noexcept {
-    return std::find_if(std::begin(blocks), std::end(blocks),
+    return std::find_if(std::begin(block_pairs), std::end(block_pairs),
                         [opener](const BlockWords& words) { return words.opener == opener; })
         ->closer;
 }
 
 /// A keyword that is meant as a name opens and closes nothing.
 void Parser::count_as_name(TokenKind word) {
-    for (const BlockWords& words : blocks)
+    for (const BlockWords& words : block_pairs)
         if (words.opener == word)
             --unclosed(words.closer);
     if (closers.contains(word))
@@ -117,9 +119,10 @@ void Parser::count_as_name(TokenKind word) {
 
 /// True for an opening word when no block is left open: each of them opens one.
 bool Parser::opens_block(TokenKind word) {
-    return std::any_of(std::begin(blocks), std::end(blocks), [&](const BlockWords& words) {
-        return words.opener == word && unclosed(words.closer) <= 0;
-    });
+    return std::any_of(std::begin(block_pairs), std::end(block_pairs),
+                       [&](const BlockWords& words) {
+                           return words.opener == word && unclosed(words.closer) <= 0;
+                       });
 }
 
 /// True when the closing word at the cursor fits the innermost block, but by its column belongs to

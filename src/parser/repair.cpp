@@ -35,7 +35,7 @@ struct Meaning {
 };
 
 /// A name stands for any type and most operands.
-constexpr Meaning name = {TokenKind::identifier, Meaning::none, Meaning::none};
+constexpr Meaning any_name = {TokenKind::identifier, Meaning::none, Meaning::none};
 
 /// The likeliest first. One operator stands for all.
 constexpr std::array meanings = {
@@ -177,8 +177,8 @@ public:
         const std::size_t place = token_at(fault->range.begin);
         for (const std::size_t token : {place, place - 1}) {
             attempt({token, nothing});
-            if (fits(token, name))
-                attempt({token, name.kind});
+            if (fits(token, any_name))
+                attempt({token, any_name.kind});
         }
         for (const Meaning& meant : meanings)
             if (fits(place, meant))
