@@ -24,11 +24,6 @@ public:
         }
     }
 
-    /// False for nearly all words that `find` does not find; `hash` is the `hash_name` of one.
-    [[nodiscard]] constexpr bool may_hold(std::uint32_t hash) const noexcept {
-        return slots_[first_slot(hash)] != empty;
-    }
-
     /// The index of a word, of which `hash` is the `hash_name`; `Count` when it is none of the
     /// names.
     [[nodiscard]] constexpr std::size_t find(std::string_view word,

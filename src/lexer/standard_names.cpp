@@ -93,15 +93,17 @@ constexpr std::size_t longest_name = std::string_view("DATE_AND_TIME_TO_TIME_OF_
 // Both lists as one, functions first.
 constexpr std::size_t name_count = functions.size() + function_blocks.size();
 
-constexpr NameTable<name_count> names([] {
+constexpr auto names = [] {
     std::array<std::string_view, name_count> all;
     for (std::size_t i = 0; i < name_count; ++i)
         all[i] = i < functions.size() ? functions[i].name : function_blocks[i - functions.size()];
     return all;
-}());
+}();
+
+constexpr NameTable<name_count> name_table(names);
 
 [[nodiscard]] const Function* find_function(std::string_view name) noexcept {
-    const std::size_t index = names.find(name, hash_name(name));
+    const std::size_t index = name_table.find(name, hash_name(name));
     return index < functions.size() ? &functions[index] : nullptr;
 }
 
@@ -178,27 +180,6 @@ constexpr NameTable<name_count> names([] {
     return false;
 }
 
-// True for the last two letters of a type: most names are told apart by them.
-[[nodiscard]] bool may_end_type(std::string_view name) noexcept {
-    constexpr std::uint32_t last_letters = 1U << ('D' - '@') | 1U << ('E' - '@') |
-                                           1U << ('G' - '@') | 1U << ('L' - '@') |
-                                           1U << ('T' - '@') | 1U << ('Y' - '@');
-    if (name.size() < 2)
-        return false;
-    const char last = fold(name.back());
-    if (last < '@' || last > 'Z' || ((last_letters >> (last - '@')) & 1U) == 0)
-        return false;
-    const char before = fold(name[name.size() - 2]);
-    switch (last) {
-    case 'D': return before == 'R' || before == 'O';
-    case 'E': return before == 'M' || before == 'T';
-    case 'G': return before == 'N';
-    case 'L': return before == 'O' || before == 'A';
-    case 'T': return before == 'N' || before == 'D';
-    default: return before == 'A';
-    }
-}
-
 // The names that are built from others end in a type; DAY is the end of TIME_OF_DAY.
 [[nodiscard]] bool ends_in_type(std::string_view name) noexcept {
     const std::size_t underscore = name.rfind('_');
@@ -210,19 +191,22 @@ constexpr NameTable<name_count> names([] {
 
 } // namespace
 
+constinit const detail::HashBits detail::standard_name_bits = [] {
+    HashBits bits{};
+    for (std::size_t i = 0; i < name_count; ++i)
+        bits.add(hash_name(names[i]));
+    return bits;
+}();
+
 StandardName find_standard_name(std::string_view name, std::uint32_t hash) noexcept {
     if (name.size() > longest_name)
         return StandardName::none;
-    if (const std::size_t index = names.find(name, hash); index != name_count)
+    if (const std::size_t index = name_table.find(name, hash); index != name_count)
         return index < functions.size() ? StandardName::function : StandardName::function_block;
-    if (may_end_type(name) && ends_in_type(name) &&
+    if (detail::may_end_in_type(name) && ends_in_type(name) &&
         (is_typed_function(name) || is_conversion(name)))
         return StandardName::function;
     return StandardName::none;
-}
-
-bool may_be_standard_name(std::string_view name, std::uint32_t hash) noexcept {
-    return names.may_hold(hash) || may_end_type(name);
 }
 
 StandardName standard_name(std::string_view name) noexcept {

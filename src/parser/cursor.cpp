@@ -1,4 +1,3 @@
-#include "lexer/standard_names.hpp"
 #include "parser/parser.hpp"
 
 #include <iecfront/lexer/name.hpp>
@@ -352,10 +351,8 @@ const ast::Identifier* Parser::parse_declared_name(std::string_view what) {
 // function_block_type_name = standard_function_block_name | derived_function_block_name ;
 /// Annex C reserves the names of standard functions for calls, and those of standard function
 /// blocks for types. Once a unit: what follows the first report is the same mistake.
-void Parser::check_standard_name(TextRange range, std::uint32_t hash, NameUse use) {
+void Parser::check_name_of_standard(TextRange range, std::uint32_t hash, NameUse use) {
     const std::string_view name(text_.data() + range.begin, range.size());
-    if (!may_be_standard_name(name, hash))
-        return;
     const StandardName standard = find_standard_name(name, hash);
     const bool function = standard == StandardName::function;
     if (standard == StandardName::none || use == (function ? NameUse::call : NameUse::type) ||

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lexer/standard_names.hpp"
 #include "parser/keyword_sets.hpp"
 
 #include <iecfront/ast/nodes.hpp>
@@ -262,7 +263,11 @@ private:
     [[nodiscard]] std::string free_suffix(std::string_view word) const;
     const ast::Identifier* take_reserved_word();
     enum class NameUse : std::uint8_t { declaration, type, call, other };
-    void check_standard_name(TextRange range, std::uint32_t hash, NameUse use);
+    void check_standard_name(TextRange range, std::uint32_t hash, NameUse use) {
+        if (may_be_standard_name({text_.data() + range.begin, range.size()}, hash))
+            check_name_of_standard(range, hash, use);
+    }
+    void check_name_of_standard(TextRange range, std::uint32_t hash, NameUse use);
     [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
     [[nodiscard]] bool at_keyword_for_variable();
 
