@@ -212,7 +212,7 @@ public:
     }
     ast::Walk visit(const ast::UnaryExpression& node) {
         // `- 5` is an operation, and `-5` a constant.
-        const bool constant = ast::as<ast::Constant>(innermost_left(*node.operand)) != nullptr;
+        const bool constant = ast::is<ast::Constant>(node.operand->kind);
         if (node.op != ast::UnaryOperator::logical_not && !constant)
             no_space(node.operand->first_token);
         return ast::Walk::into;
@@ -498,12 +498,6 @@ private:
         }
     }
 
-    [[nodiscard]] static const ast::Expression* innermost_left(const ast::Expression& expression) {
-        const ast::Expression* left = &expression;
-        while (const auto* binary = ast::as<ast::BinaryExpression>(left))
-            left = binary->left;
-        return left;
-    }
     // The operator stands directly before its right operand.
     [[nodiscard]] static std::uint32_t operator_before(const ast::Expression* right) {
         return right->first_token - 1;
