@@ -49,6 +49,15 @@ TEST(DocumentSymbols, ListsConfigurations) {
               "configuration c[variable g resource r[task t program_instance i] access_path a]");
 }
 
+// B.1.6: a transition without a name is none of the outline.
+TEST(DocumentSymbols, ListsTheElementsOfCharts) {
+    EXPECT_EQ(outline_of("PROGRAM p VAR x : BOOL; END_VAR INITIAL_STEP s : act (N); END_STEP\n"
+                         "STEP t : END_STEP TRANSITION go FROM s TO t := x; END_TRANSITION\n"
+                         "TRANSITION FROM t TO s := x; END_TRANSITION\n"
+                         "ACTION act : x := TRUE; END_ACTION END_PROGRAM"),
+              "program p[variable x step s step t transition go action act]");
+}
+
 TEST(DocumentSymbols, GiveTheRangesOfDeclarationAndName) {
     const std::string text = "\nPROGRAM p ; END_PROGRAM\nTYPE T1 : INT; END_TYPE\n";
     const SyntaxTree tree = parse(SourceText(text));

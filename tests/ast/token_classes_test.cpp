@@ -52,6 +52,48 @@ TEST(TokenClasses, ClassNamesByTheirPlace) {
     EXPECT_EQ(found["C#blue"], "enumerated_value");
 }
 
+// B.1.3.3, B.1.5.1, B.1.6, B.2: what is declared, and where it is used.
+TEST(TokenClasses, ClassNamesByWhatTheyDeclare) {
+    auto found = classes("TYPE t : (red, green); s : STRUCT f, g : INT; END_STRUCT; END_TYPE\n"
+                         "FUNCTION fu : ANY v[i].m := r^.n; fu := EN OR ENO; END_FUNCTION\n"
+                         "PROGRAM p INITIAL_STEP st : act (N); END_STEP\n"
+                         "TRANSITION FROM (st, su) TO st := x; END_TRANSITION\n"
+                         "ACTION act : x := 1; END_ACTION END_PROGRAM\n"
+                         "FUNCTION_BLOCK fb\nl1: JMPC l2\nEND_FUNCTION_BLOCK\n"
+                         "CONFIGURATION c PROGRAM i : p (inst WITH ta, v2[1].m2 := g, v3^ := g);"
+                         " END_CONFIGURATION");
+    const std::map<std::string, std::string> expected = {
+        {"t", "type_name"},
+        {"red", "enumerated_value"},
+        {"green", "enumerated_value"},
+        {"s", "type_name"},
+        {"f", "field"},
+        {"g", "variable"},
+        {"ANY", "type_name"},
+        {"v", "variable"},
+        {"m", "field"},
+        {"r", "variable"},
+        {"n", "field"},
+        {"EN", "variable"},
+        {"ENO", "variable"},
+        {"st", "step"},
+        {"su", "step"},
+        {"act", "action"},
+        {"N", "keyword"},
+        {"l1", "label"},
+        {"JMPC", "il_operator"},
+        {"l2", "label"},
+        {"inst", "variable"},
+        {"ta", "configuration_element"},
+        {"v2", "parameter"},
+        {"v3", "parameter"},
+        {"m2", "field"},
+    };
+    for (const auto& [text, token_class] : expected)
+        EXPECT_EQ(found[text], token_class) << text;
+    EXPECT_EQ(classes("FUNCTION fu : INT END_FUNCTION")["fu"], "function");
+}
+
 TEST(TokenClasses, ClassNamesOfConfigurations) {
     auto found =
         classes("CONFIGURATION c RESOURCE r ON cpu TASK t (INTERVAL := T#1s, PRIORITY := 1);"

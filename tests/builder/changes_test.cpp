@@ -180,6 +180,28 @@ TEST(Changes, FillWhatIsEmpty) {
                          "    IF a THEN EXIT; END_IF;\nEND_PROGRAM\n");
 }
 
+// B.1.4.3, B.3.2: the same where something is missing.
+TEST(Changes, FillWhatIsMissing) {
+    const SyntaxTree tree = tree_of("FUNCTION f : INT\n    VAR_INPUT\n    END_VAR\n"
+                                    "    IF a THEN\n    END_IF;\nEND_FUNCTION\n"
+                                    "FUNCTION g : INT\n    g := 1;\nEND_FUNCTION\n"
+                                    "FUNCTION_BLOCK h\n    ;\nEND_FUNCTION_BLOCK\n");
+    const Declaration a = variable_declaration({"a"}, elementary_type_name("BOOL"));
+    const auto block = variable_declarations(ast::VariableBlock::var_input, {a});
+    Changes changes(tree);
+    changes.append(tree.slots()[0], node_at<ast::VariableDeclarations>(tree, {2, 5}), a);
+    changes.append(tree.slots()[0], *node_at<ast::IfStatement>(tree, {4, 5}).then_list,
+                   return_statement());
+    changes.append(tree.slots()[1], node_at<ast::FunctionDeclaration>(tree, {7, 1}), block);
+    changes.append(tree.slots()[2], node_at<ast::FunctionBlockDeclaration>(tree, {10, 1}), block);
+    expect_text(changes, "FUNCTION f : INT\n    VAR_INPUT\n        a : BOOL;\n    END_VAR\n"
+                         "    IF a THEN\n        RETURN;\n    END_IF;\nEND_FUNCTION\n"
+                         "FUNCTION g : INT\n    VAR_INPUT\n        a : BOOL;\n    END_VAR\n"
+                         "    g := 1;\nEND_FUNCTION\n"
+                         "FUNCTION_BLOCK h\n    VAR_INPUT\n        a : BOOL;\n    END_VAR\n"
+                         "    ;\nEND_FUNCTION_BLOCK\n");
+}
+
 TEST(Changes, TakeTheBlockOfTheOnlyDeclaration) {
     const SyntaxTree tree =
         tree_of("FUNCTION f : INT\n    VAR_INPUT\n        a : INT;\n    END_VAR\n    f := 1;\n"

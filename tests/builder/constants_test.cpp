@@ -53,6 +53,7 @@ TEST(BuiltConstants, Reals) {
 
 TEST(BuiltConstants, BitStringsAndBooleans) {
     EXPECT_EQ(bit_string_literal(255, "WORD").text(), "WORD#16#00FF");
+    EXPECT_EQ(bit_string_literal(0xABCDE, "DWORD").text(), "DWORD#16#000ABCDE");
     EXPECT_EQ(bit_string_literal(~std::uint64_t{0}, "LWORD").text(), "LWORD#16#FFFFFFFFFFFFFFFF");
     expect_read_as(bit_string_literal(1, "BYTE"));
     expect_read_as(boolean_literal(true));

@@ -176,6 +176,25 @@ TEST(Description, EndsAtTheEndOfTheSource) {
     EXPECT_EQ(description({}, "ab"), "");
 }
 
+TEST(Equality, SeesEachMember) {
+    Diagnostic whole = make(DiagnosticId::missing_token, {std::string("`)`")});
+    whole.range = {4, 5};
+    whole.labels.push_back({{1, 2}, LabelId::opened_here, "x"});
+    whole.fixes.push_back(edit({5, 5}, ")"));
+    EXPECT_EQ(whole, Diagnostic(whole));
+    std::vector<Diagnostic> others(8, whole);
+    others[0].id = DiagnosticId::missing_name;
+    others[1].range.end = 6;
+    others[2].arguments.clear();
+    others[3].labels[0].range.begin = 0;
+    others[4].labels[0].id = LabelId::first_given;
+    others[5].labels[0].argument = "y";
+    others[6].fixes[0].edits[0].range.begin = 4;
+    others[7].fixes[0].edits[0].replacement = "]";
+    for (const Diagnostic& other : others)
+        EXPECT_NE(whole, other) << "member " << &other - others.data();
+}
+
 TEST(Shifted, MovesLabelsAndFixesAlong) {
     Diagnostic diagnostic = make(DiagnosticId::missing_closing_word);
     diagnostic.range = {5, 5};

@@ -33,6 +33,15 @@ TEST(Encoding, EveryCodePointOfUtf8ComesBack) {
     }
 }
 
+TEST(Encoding, WhatUtf8CannotHoldIsWrittenAsTheReplacementCharacter) {
+    constexpr char32_t held_by_none[] = {0xD800, 0xDFFF, 0x110000, 0xFFFFFF};
+    for (const char32_t none : held_by_none) {
+        std::string text;
+        append_utf8(text, none);
+        EXPECT_EQ(text, "\xEF\xBF\xBD");
+    }
+}
+
 TEST(Encoding, OverlongFormsAreBroken) {
     expect_broken("\xC0\x80");
     expect_broken("\xC1\xBF");

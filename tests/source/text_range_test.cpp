@@ -15,6 +15,7 @@ TEST(TextRange, ContainsWhatLiesInside) {
     EXPECT_FALSE(range.contains(1) || range.contains(5));
     EXPECT_TRUE(range.contains(TextRange{5, 5}));
     EXPECT_FALSE(range.contains(TextRange{4, 6}));
+    EXPECT_FALSE(range.contains(TextRange{1, 3}));
     EXPECT_EQ(range.shifted(3), (TextRange{5, 8}));
 }
 
