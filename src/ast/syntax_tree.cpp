@@ -101,9 +101,20 @@ SyntaxTree::SyntaxTree(std::string name, Encoding encoding,
         slots.push_back({size_, line, std::move(unit)});
         size_ += size_of(slots.back());
         line += slots.back().unit->lines().line_end_count();
+        if (first_open_ + 1 == slots.size() && !slots.back().unit->depends_on_rest())
+            ++first_open_;
     }
     slots_ = std::make_shared<const std::vector<Slot>>(std::move(slots));
 }
+
+SyntaxTree::SyntaxTree(const SyntaxTree& before, std::vector<Slot> slots, std::size_t first_open)
+    : name_(before.name_),
+      encoding_(before.encoding_),
+      size_(slots.back().offset + size_of(slots.back())),
+      slots_(std::make_shared<const std::vector<Slot>>(std::move(slots))),
+      first_open_(first_open),
+      options_(before.options_),
+      origin_(before.origin_) {}
 
 SourceText SyntaxTree::source() const {
     if (auto buffer = common_buffer(*slots_, size_))

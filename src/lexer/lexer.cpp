@@ -2,8 +2,6 @@
 
 #include "diagnostics/sort_by_place.hpp"
 #include "lexer/characters.hpp"
-#include "lexer/comment_marks.hpp"
-#include "lexer/extents.hpp"
 #include "lexer/keywords.hpp"
 #include "lexer/literal_scanners.hpp"
 #include "lexer/meant_number.hpp"
@@ -16,6 +14,7 @@
 #include <array>
 #include <cstring>
 #include <initializer_list>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,189 +23,41 @@ namespace iecfront {
 
 namespace {
 
-// White space, comments and pragmas that wrongly stand inside a literal (2.1.4), each with what
-// should stand in its place: nothing, mostly.
-using Gaps = std::vector<TextEdit>;
-
-// A literal that the next characters make, its kind and its extent.
-struct Found {
-    TokenKind kind;
-    const char* end;
-    Gaps gaps;
-    bool of_named_type = false; // of no elementary one
-};
-
 // So many digits fit 64 bits: nothing can be wrong with them.
 constexpr std::ptrdiff_t safe_digits = 18;
 
 // Nobody writes a longer literal than this, but for strings: what is longer is not tried as one.
 constexpr std::size_t longest_tried = 40;
 
-class Lexer {
-public:
-    Lexer(std::string_view text, Encoding encoding)
-        : text_(text),
-          begin_(text.data()),
-          end_(text.data() + text.size()),
-          line_feed_(begin_),
-          comment_end_missing_from_(end_),
-          c_comment_end_missing_from_(end_),
-          pragma_end_missing_from_(end_),
-          encoding_(encoding),
-          extents_(text, encoding) {
-        // Published programs have a token in 6 to 8 bytes; the row grows where that is too few.
-        grow_tokens(text.size() / 6 + 16);
-    }
+} // namespace
 
-    LexedText run(bool at_file_start);
-
-private:
-    // Each takes the place where something begins, and gives the place behind it.
-    const char* word(const char* begin);
-    const char* long_word(const char* begin);
-    const char* plain_word(const char* begin, const char* end);
-    const char* prefixed(const char* begin, const char* prefix_end);
-    const char* number(const char* begin);
-    const char* long_number(const char* begin);
-    const char* integer(const char* begin, const char* end);
-    const char* number_with_point(const char* begin, const char* point);
-    const char* number_with_exponent(const char* begin, const char* letter);
-    const char* digit_first_word(const char* begin, const char* end);
-    const char* duration_without_prefix(const char* begin, const char* end);
-    const char* c_style_integer(const char* begin, const char* end);
-    const char* hexadecimal_of_other_language(const char* begin, const char* end);
-    const char* with_pound_sign(const char* begin, const char* end);
-    const char* number_before_keyword(TokenKind kind, const char* begin, const char* end);
-    [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;
-    const char* string(const char* begin);
-    const char* part_selector(const char* begin);
-    const char* location(const char* begin);
-    [[nodiscard]] const char* end_behind_inner_quote(const char* end);
-    const char* unclosed_string(const char* begin, const char* end);
-    [[nodiscard]] bool is_stray_quote(const char* begin) const;
-    const char* number_sign(const char* begin);
-    const char* dot(const char* begin);
-    const char* slash(const char* begin);
-    const char* star(const char* begin);
-    const char* caret(const char* begin);
-    const char* left_parenthesis(const char* begin);
-    const char* comment(const char* begin);
-    const char* line_comment(const char* begin);
-    const char* c_comment(const char* begin);
-    const char* end_of_nested_braces(const char* begin);
-    const char* pragma(const char* begin);
-    const char* stray_pragma_end(const char* begin);
-    const char* unexpected(const char* begin);
-    const char* operator_of_other_language(const char* begin);
-    const char* typographic_string(const char* begin, const DecodedCharacter& opening);
-    const char* look_alike(const char* begin, const DecodedCharacter& character);
-    const char* non_ascii(const char* begin);
-
-    const char* delimiter(TokenKind kind, const char* begin, std::uint32_t size) {
-        emit(kind, begin, begin + size);
-        return begin + size;
-    }
-    // The longer delimiter when `second` follows, else the shorter one.
-    const char* either(const char* begin, char second, TokenKind longer, TokenKind shorter) {
-        return begin[1] == second ? delimiter(longer, begin, 2) : delimiter(shorter, begin, 1);
-    }
-
-    const char* identifier(const char* begin, const char* end);
-    const char* literal(TokenKind kind, const char* begin, const char* end);
-    const char* literal_with_gaps(TokenKind kind, const char* begin, const char* end);
-    void report_type_of_literal(const char* begin, const char* prefix_end, const char* end);
-    const char* spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps);
-    [[nodiscard]] static Gaps gaps_of(std::initializer_list<TextRange> ranges);
-    [[nodiscard]] Gaps take_back_gaps(Token literal);
-    const char* found_literal(const char* begin, const char* prefix_end, const Found& found);
-    bool find_prefixed(const char* begin, const char* prefix_end, Found& found) const;
-    bool find_based(const char* begin, const char* prefix_end, const char* body,
-                    Found& found) const;
-    bool find_of_named_type(std::string_view prefix, const char* body, Found& found) const;
-    [[nodiscard]] bool can_begin_value(TokenKind kind, std::string_view prefix,
-                                       const char* body) const;
-    [[nodiscard]] bool ends_operand(Token token, const char* next) const;
-    [[nodiscard]] bool can_be_prefix(Token token) const;
-
-    bool check_word(const char* begin, const char* end);
-    bool report_parted_keyword(const char* begin, const char* end);
-    void check_underscores(const char* begin, const char* end);
-    bool check_foreign_letters(const char* begin, const char* end);
-    const char* find_comment_end(const char* begin);
-    const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
-    const char* end_of_first_line(const char* begin, DiagnosticId fault, std::string_view opening,
-                                  std::string_view closing);
-    const char* end_of_prose(const char* begin, std::string_view opening, std::string_view closing);
-    const char* line_end(const char* begin);
-
-    void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false) {
-        if (next_token_ == tokens_end_) [[unlikely]]
-            grow_tokens(result_.tokens.size() / 2 + 16);
-        *next_token_++ = Token(kind, offset(begin), static_cast<std::uint32_t>(end - begin),
-                               first_on_line_, malformed);
-        first_on_line_ = false;
-    }
-    // The same for what may be longer than a token can be.
-    void emit_any(TokenKind kind, const char* begin, const char* end, bool malformed = false);
-    void emit_pieces(const char* begin, const char* end);
-    void add_trivia(TriviaKind kind, const char* begin, const char* end) {
-        result_.trivia.push_back({range(begin, end), kind});
-    }
-    Diagnostic& report(DiagnosticId id, TextRange where) {
-        return result_.diagnostics.emplace_back(Diagnostic{id, where, {}, {}, {}});
-    }
-    static void add_replacement(Diagnostic& diagnostic, TextRange where, std::string text = {}) {
-        diagnostic.fixes.push_back({{TextEdit{where, std::move(text)}}});
-    }
-    void report_gap(TextRange gap, const char* delimiter) {
-        Diagnostic& diagnostic = report(DiagnosticId::white_space_in_delimiter, gap);
-        diagnostic.arguments.emplace_back(std::string(delimiter));
-        add_replacement(diagnostic, gap);
-    }
-    Token take_back();
-    // Tokens are written into a row made beforehand, which is cut to its length in the end.
-    void grow_tokens(std::size_t by);
-    void cut_tokens() {
-        result_.tokens.resize(static_cast<std::size_t>(next_token_ - result_.tokens.data()));
-    }
-    [[nodiscard]] bool has_tokens() const noexcept { return next_token_ != result_.tokens.data(); }
-    [[nodiscard]] Token last_token() const noexcept { return next_token_[-1]; }
-
-    [[nodiscard]] std::uint32_t offset(const char* p) const noexcept {
-        return static_cast<std::uint32_t>(p - begin_);
-    }
-    [[nodiscard]] TextRange range(const char* begin, const char* end) const noexcept {
-        return {offset(begin), offset(end)};
-    }
-    [[nodiscard]] static std::string_view view(const char* begin, const char* end) noexcept {
-        return {begin, static_cast<std::size_t>(end - begin)};
-    }
-
-    std::string_view text_;
-    const char* begin_;
-    const char* end_;                   // where the zero byte stands
-    const char* line_feed_;             // the last one looked up, or the end
-    const char* line_begin_ = nullptr;  // from here to `line_end_` no line ends
-    const char* line_end_ = nullptr;    // the last one looked up
-    const char* comment_end_ = nullptr; // the last one looked up
-    // Behind these no `*)`, `*/`, `}` stands any more: nobody looks for one twice.
-    const char* comment_end_missing_from_;
-    const char* c_comment_end_missing_from_;
-    const char* pragma_end_missing_from_;
-    bool first_on_line_ = true;
-    Encoding encoding_;
-    Extents extents_;
-    CommentMarks marks_;
-    LexedText result_;
-    Token* next_token_ = nullptr;
-    Token* tokens_end_ = nullptr;
-};
-
-LexedText Lexer::run(bool at_file_start) {
-    const char* p = begin_;
+Lexer::Lexer(std::string_view text, Encoding encoding, bool at_file_start)
+    : text_(text),
+      begin_(text.data()),
+      end_(text.data() + text.size()),
+      at_(begin_),
+      line_feed_(begin_),
+      comment_end_missing_from_(end_),
+      c_comment_end_missing_from_(end_),
+      pragma_end_missing_from_(end_),
+      first_on_line_(at_file_start),
+      encoding_(encoding),
+      extents_(text, encoding) {
     if (at_file_start)
-        p += byte_order_mark_size(text_, encoding_);
-    first_on_line_ = at_file_start;
+        at_ += byte_order_mark_size(text, encoding);
+}
+
+void Lexer::read(std::size_t count) {
+    if (done_)
+        return;
+    at_ = read_until(count);
+    sort_by_place(result_.diagnostics);
+}
+
+// Goes on from `at_`, and stops at a line end where `count` tokens are there: nothing that is put
+// together from several tokens goes on behind one.
+const char* Lexer::read_until(std::size_t count) {
+    const char* p = at_;
     for (;;) {
         switch (class_of(*p)) {
         case CharacterClass::blank:
@@ -217,6 +68,8 @@ LexedText Lexer::run(bool at_file_start) {
         case CharacterClass::line_end:
             first_on_line_ = true;
             ++p;
+            if (token_count() >= count) [[unlikely]]
+                return p;
             break;
         case CharacterClass::word: p = word(p); break;
         case CharacterClass::digit: p = number(p); break;
@@ -260,9 +113,8 @@ LexedText Lexer::run(bool at_file_start) {
             if (p == end_) {
                 first_on_line_ = true;
                 emit(TokenKind::end_of_unit, p, p);
-                cut_tokens();
-                sort_by_place(result_.diagnostics);
-                return std::move(result_);
+                done_ = true;
+                return p;
             }
             p = unexpected(p);
             break;
@@ -294,10 +146,27 @@ void Lexer::emit_pieces(const char* begin, const char* end) {
 }
 
 void Lexer::grow_tokens(std::size_t by) {
-    const std::ptrdiff_t count = next_token_ - result_.tokens.data();
+    const std::size_t count = token_count();
     result_.tokens.resize(result_.tokens.size() + by);
     next_token_ = result_.tokens.data() + count;
     tokens_end_ = result_.tokens.data() + result_.tokens.size();
+}
+
+void Lexer::drop(std::size_t tokens, std::size_t trivia, std::size_t diagnostics,
+                 std::size_t open_ends) {
+    const auto erase = [](auto& row, std::size_t count) {
+        row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(count));
+    };
+    std::copy(result_.tokens.data() + tokens, next_token_, result_.tokens.data());
+    next_token_ -= tokens;
+    erase(result_.trivia, trivia);
+    erase(result_.diagnostics, diagnostics);
+    erase(result_.open_ends, open_ends);
+}
+
+LexedText Lexer::take() {
+    result_.tokens.resize(token_count());
+    return std::move(result_);
 }
 
 // Removes the last token, to read it again together with what follows it. A comment or pragma
@@ -652,7 +521,7 @@ const char* Lexer::spaced_literal(TokenKind kind, const char* begin, const char*
     return end;
 }
 
-Gaps Lexer::gaps_of(std::initializer_list<TextRange> ranges) {
+Lexer::Gaps Lexer::gaps_of(std::initializer_list<TextRange> ranges) {
     Gaps gaps;
     for (const TextRange gap : ranges)
         if (!gap.empty())
@@ -661,7 +530,7 @@ Gaps Lexer::gaps_of(std::initializer_list<TextRange> ranges) {
 }
 
 // The gaps that were reported inside a literal which goes on: all of them are one mistake.
-Gaps Lexer::take_back_gaps(Token literal) {
+Lexer::Gaps Lexer::take_back_gaps(Token literal) {
     if (result_.diagnostics.empty())
         return {};
     Diagnostic& last = result_.diagnostics.back();
@@ -1039,11 +908,10 @@ namespace {
     return std::string_view(";,)]").find(*Extents::blanks_end(p)) != std::string_view::npos;
 }
 
-// The quote in the line at `begin` that closes a string of the line before; null when there is
-// none: what stands before it is no code, and what stands behind it ends the operand.
-[[nodiscard]] const char* quote_on_next_line(const char* begin, const char* text_end,
+// The quote in the line from `begin` to `end` that closes a string of the line before; null when
+// there is none: what stands before it is no code, and what stands behind it ends the operand.
+[[nodiscard]] const char* quote_on_next_line(const char* begin, const char* end,
                                              char quote) noexcept {
-    const char* const end = std::find_if(begin, text_end, is_line_end);
     const char* const close = std::find(begin, end, quote);
     const std::string_view before(begin, static_cast<std::size_t>(close - begin));
     const bool closes = close != end && std::count(close, end, quote) % 2 == 1 &&
@@ -1057,7 +925,7 @@ namespace {
 // that of a string which the next line closes, or one with code behind its probable end. Null when
 // it is none of these.
 const char* Lexer::unclosed_string(const char* begin, const char* end) {
-    result_.open_ended.push_back(offset(begin)); // what follows may be of other units
+    note_open_end(begin, std::min(end + 1, end_)); // what follows may be of other units
     if (is_stray_quote(begin)) {
         Diagnostic& diagnostic =
             report(DiagnosticId::unexpected_character, range(begin, begin + 1));
@@ -1072,7 +940,9 @@ const char* Lexer::unclosed_string(const char* begin, const char* end) {
     const char* const next = end + (*end == '\r' && end[1] == '\n' ? 2 : 1);
     if (!is_line_end(*end) || view(begin, end).find(';') != std::string_view::npos)
         return nullptr;
-    const char* const close = quote_on_next_line(next, end_, *begin);
+    const char* const next_end = std::find_if(next, end_, is_line_end);
+    result_.open_ends.back().looked_to = offset(next_end) + 1;
+    const char* const close = quote_on_next_line(next, next_end, *begin);
     if (close == nullptr || static_cast<std::size_t>(close - begin) >= Token::maximum_length)
         return nullptr;
     Diagnostic& diagnostic = report(DiagnosticId::unterminated_string, range(begin, begin + 1));
@@ -1097,14 +967,18 @@ const char* Lexer::end_behind_inner_quote(const char* end) {
     if (!is_quote(quote) || !is_word_start(*end) ||
         keyword_kind(view(end, extents_.word_end(end))) != TokenKind::identifier)
         return nullptr;
-    result_.open_ended.push_back(offset(end)); // the rest of the line may be of other units
     const char* const whole_end = extents_.string_end(end - 1);
-    if (whole_end[-1] != quote)
-        return nullptr;
-    for (const char* p = whole_end; p != end_ && class_of(*p) != CharacterClass::line_end; ++p)
-        if (p - end > furthest || (*p == quote && *(p = extents_.string_end(p) - 1) != quote))
-            return nullptr;
-    return whole_end;
+    const char* p = whole_end; // up to where the line is looked at
+    bool whole = whole_end[-1] == quote;
+    for (; whole && p != end_ && !is_line_end(*p); ++p) {
+        whole = p - end <= furthest;
+        if (whole && *p == quote) {
+            p = extents_.string_end(p) - 1;
+            whole = *p == quote;
+        }
+    }
+    note_open_end(end, p); // the rest of the line may be of other units
+    return whole ? whole_end : nullptr;
 }
 
 // `%X3` behind the point of `x.%X3`. Null when it is none.
@@ -1226,13 +1100,17 @@ const char* Lexer::line_end(const char* begin) {
     return line_end_ = find(begin, line_feed_, '\r');
 }
 
+void Lexer::note_open_end(const char* begin, const char* last) {
+    result_.open_ends.push_back({offset(begin), offset(last) + 1});
+}
+
 // Reports what nothing closes, at its opening, and gives it its first line: so the rest of the file
 // is still read.
 const char* Lexer::end_of_first_line(const char* begin, DiagnosticId fault,
                                      std::string_view opening, std::string_view closing) {
     report(fault, range(begin, begin + opening.size()))
         .arguments.emplace_back(std::string(closing));
-    result_.open_ended.push_back(offset(begin));
+    note_open_end(begin, end_);
     return line_end(begin);
 }
 
@@ -1460,7 +1338,8 @@ const char* Lexer::left_parenthesis(const char* begin) {
         comment_end_missing_from_ = std::min(comment_end_missing_from_, star);
     if (closing == nullptr || closing - star > furthest ||
         find_comment_begin(star, closing) != nullptr) {
-        result_.open_ended.push_back(offset(begin));
+        const bool far = closing == nullptr || closing - star > furthest;
+        note_open_end(begin, far ? star + std::min(furthest, end_ - star) : closing);
         return delimiter(TokenKind::left_parenthesis, begin, 1);
     }
     report_gap(range(blanks, star), "(*");
@@ -1503,7 +1382,7 @@ const char* Lexer::end_of_nested_comment(const char* begin, const char* inner,
         .labels.push_back({range(begin, begin + 2), LabelId::comment_begin, {}});
     if (balanced_end)
         return begin_ + *balanced_end;
-    result_.open_ended.push_back(offset(begin));
+    note_open_end(begin, end_);
     return closing + 1;
 }
 
@@ -1539,14 +1418,18 @@ const char* Lexer::end_of_nested_braces(const char* begin) {
     const std::string_view rest = text_.substr(offset(begin), furthest);
     std::size_t depth = 0;
     bool nested = false;
-    for (std::size_t i = 0; i < rest.size() && rest[i] != ';'; ++i) {
+    std::size_t i = 0;
+    for (; i < rest.size() && rest[i] != ';'; ++i) {
         depth += rest[i] == '{' ? 1 : 0;
         nested = nested || depth > 1;
         if (rest[i] == '}' && --depth == 0)
-            return nested && ends_operand_at(begin + i + 1) ? begin + i + 1 : nullptr;
+            break;
     }
-    if (nested)
-        result_.open_ended.push_back(offset(begin)); // text behind the unit may close it
+    const bool closed = i < rest.size() && rest[i] == '}';
+    if (closed && nested && ends_operand_at(begin + i + 1))
+        return begin + i + 1;
+    if (nested) // text behind the unit may close it
+        note_open_end(begin, closed ? Extents::blanks_end(begin + i + 1) : begin + i);
     return nullptr;
 }
 
@@ -1770,10 +1653,12 @@ const char* Lexer::unexpected(const char* begin) {
     return p;
 }
 
-} // namespace
-
 LexedText lex(std::string_view text, Encoding encoding, bool at_file_start) {
-    return Lexer(text, encoding).run(at_file_start);
+    Lexer lexer(text, encoding, at_file_start);
+    // Published programs have a token in 6 to 8 bytes; the row grows where that is too few.
+    lexer.make_room(text.size() / 6 + 16);
+    lexer.read(std::numeric_limits<std::size_t>::max());
+    return lexer.take();
 }
 
 } // namespace iecfront

@@ -74,51 +74,61 @@ constexpr std::array<Role, token_kind_count> roles = role_table();
     return kind == TokenKind::identifier || (is_keyword(kind) && role_of(kind) == Role::none);
 }
 
-class UnitCutter {
-public:
-    explicit UnitCutter(std::span<const Token> tokens) noexcept : tokens_(tokens) {}
+// True at what a library element begins with, and at the end.
+[[nodiscard]] bool begins_unit(Token token) noexcept {
+    const Role role = role_of(token.kind());
+    return role == Role::opener || role == Role::global_variables ||
+           token.kind() == TokenKind::end_of_unit;
+}
 
-    std::vector<UnitCut> run();
+[[nodiscard]] bool closes(TokenKind closer, TokenKind opener) noexcept {
+    return std::ranges::any_of(brackets, [=](const Bracket& bracket) {
+        return bracket.opener == opener && bracket.closer == closer;
+    });
+}
 
-private:
-    void see(std::size_t i);
-    void open(std::size_t i);
-    void close(std::size_t i);
-    void cut_before(std::size_t i);
-    [[nodiscard]] bool is_stray_closer(std::size_t i) const noexcept;
-    [[nodiscard]] bool begins_unit(Token token) const noexcept;
-    [[nodiscard]] bool is_in_two_words(std::size_t i) const noexcept;
-    [[nodiscard]] bool begins_stray_text(std::size_t i) const noexcept;
-    [[nodiscard]] bool follows_unknown_head(std::size_t i) const noexcept;
-    [[nodiscard]] bool closes_open(TokenKind closer) const noexcept;
-    [[nodiscard]] bool is_misused_name(std::size_t i) const noexcept;
-    [[nodiscard]] bool opens_declaration(std::size_t i) const noexcept;
-    [[nodiscard]] bool is_prose(std::size_t i) const noexcept;
-    [[nodiscard]] bool is_declaration_head(std::size_t i) const noexcept;
-    [[nodiscard]] bool goes_on_as_head(std::size_t i) const noexcept;
-    [[nodiscard]] bool begins_declaration(std::size_t i) const noexcept;
-    [[nodiscard]] bool is_program_configuration(std::size_t i) const noexcept;
-    [[nodiscard]] bool can_follow_name(TokenKind opener, Token token) const noexcept;
+[[nodiscard]] bool can_follow_name(TokenKind opener, Token token) noexcept {
+    if (token.kind() == TokenKind::colon)
+        return opener == TokenKind::kw_function;
+    if (token.kind() == TokenKind::kw_with) // `PROGRAM p WITH t : q;` of a configuration
+        return false;
+    return token.first_on_line() || !is_delimiter(token.kind()) ||
+           token.kind() == TokenKind::semicolon;
+}
 
-    [[nodiscard]] Token at(std::size_t i) const noexcept {
-        return tokens_[std::min(i, tokens_.size() - 1)];
+} // namespace
+
+std::optional<UnitCut> UnitCutter::next(std::span<const Token> tokens, bool complete) {
+    tokens_ = tokens;
+    const std::size_t count = tokens.size() - (complete ? 1 : 0);
+    const std::size_t end = complete ? count : count - std::min(count, cutter_lookahead);
+    cut_.reset();
+    for (; at_ < end && !cut_; ++at_) {
+        const Role role = role_of(tokens[at_].kind());
+        if (role == Role::none)
+            continue;
+        const bool may_close = role == Role::closer || role == Role::variables_end;
+        if (may_close && !complete && !sees_semicolons(at_))
+            return std::nullopt;
+        see(at_);
     }
-
-    std::span<const Token> tokens_;
-    std::vector<UnitCut> cuts_;
-    std::size_t unit_begin_ = 0;
-    TokenKind open_ = TokenKind::end_of_unit; // the opener; end_of_unit when nothing is open
-    std::size_t opener_ = 0;
-    bool variables_open_ = false; // a block of variables in it
-};
-
-std::vector<UnitCut> UnitCutter::run() {
-    const std::size_t count = tokens_.size() - 1;
-    for (std::size_t i = 0; i < count; ++i)
-        see(i);
-    if (unit_begin_ < count || cuts_.empty())
+    if (!cut_ && complete && (unit_begin_ < count || !cut_any_))
         cut_before(count);
-    return std::move(cuts_);
+    return cut_;
+}
+
+// True when the row goes on far enough behind the `;` that follow a closing word.
+bool UnitCutter::sees_semicolons(std::size_t closer) const noexcept {
+    const auto is_semicolon = [](Token token) { return token.kind() == TokenKind::semicolon; };
+    const auto behind = std::find_if_not(tokens_.begin() + static_cast<std::ptrdiff_t>(closer) + 2,
+                                         tokens_.end(), is_semicolon);
+    return static_cast<std::size_t>(tokens_.end() - behind) >= cutter_lookahead / 2;
+}
+
+void UnitCutter::drop(std::size_t count) noexcept {
+    at_ = std::max(at_, count) - count; // it cuts behind `;` that it has not come to
+    unit_begin_ -= count;
+    opener_ -= std::min(opener_, count); // of no use when nothing is open
 }
 
 void UnitCutter::see(std::size_t i) {
@@ -162,7 +172,7 @@ void UnitCutter::open(std::size_t i) {
 // is the parser's to say. But in a block of variables, that of another declaration is taken for
 // END_VAR.
 void UnitCutter::close(std::size_t i) {
-    if (variables_open_ && !closes_open(tokens_[i].kind())) {
+    if (variables_open_ && !closes(tokens_[i].kind(), open_)) {
         variables_open_ = false;
         return;
     }
@@ -196,13 +206,6 @@ bool UnitCutter::is_stray_closer(std::size_t i) const noexcept {
     return before != TokenKind::semicolon && role != Role::end && role != Role::variables_end;
 }
 
-// True at what a library element begins with, and at the end.
-bool UnitCutter::begins_unit(Token token) const noexcept {
-    const Role role = role_of(token.kind());
-    return role == Role::opener || role == Role::global_variables ||
-           token.kind() == TokenKind::end_of_unit;
-}
-
 // True at a `;` on a line of its own that neither a declaration nor the end follows: it stands in
 // what is left of a declaration without its opening word.
 bool UnitCutter::begins_stray_text(std::size_t i) const noexcept {
@@ -222,16 +225,11 @@ bool UnitCutter::is_in_two_words(std::size_t i) const noexcept {
 
 void UnitCutter::cut_before(std::size_t i) {
     const std::size_t opener = open_ == TokenKind::end_of_unit ? i : opener_;
-    cuts_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(opener)});
+    cut_ = UnitCut{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(opener)};
+    cut_any_ = true;
     unit_begin_ = i;
     open_ = TokenKind::end_of_unit;
     variables_open_ = false;
-}
-
-bool UnitCutter::closes_open(TokenKind closer) const noexcept {
-    return std::any_of(brackets.begin(), brackets.end(), [this, closer](const Bracket& bracket) {
-        return bracket.opener == open_ && bracket.closer == closer;
-    });
 }
 
 // `TYPE : INT;`, `step.TYPE := 1`, `f(PROGRAM, 1)`: no declaration goes on like this.
@@ -313,19 +311,12 @@ bool UnitCutter::is_program_configuration(std::size_t i) const noexcept {
     return !next.first_on_line() && role != Role::variables && role != Role::global_variables;
 }
 
-bool UnitCutter::can_follow_name(TokenKind opener, Token token) const noexcept {
-    if (token.kind() == TokenKind::colon)
-        return opener == TokenKind::kw_function;
-    if (token.kind() == TokenKind::kw_with) // `PROGRAM p WITH t : q;` of a configuration
-        return false;
-    return token.first_on_line() || !is_delimiter(token.kind()) ||
-           token.kind() == TokenKind::semicolon;
-}
-
-} // namespace
-
 std::vector<UnitCut> cut_units(std::span<const Token> tokens) {
-    return UnitCutter(tokens).run();
+    UnitCutter cutter;
+    std::vector<UnitCut> cuts;
+    while (const std::optional<UnitCut> cut = cutter.next(tokens, true))
+        cuts.push_back(*cut);
+    return cuts;
 }
 
 } // namespace iecfront

@@ -38,9 +38,11 @@ SyntaxTree parse(const SourceText& source, const ParseOptions& options) {
         return refuse(source, options, SourceText::maximum_size);
     if (source.bytes().size() > options.maximum_source_size)
         return refuse(source, options, options.maximum_source_size);
-    const LexedUnits lexed = lex_units(source.buffer(), source.encoding(), true, options.read_as);
-    return {source.name(), source.encoding(), parse_units(lexed, options), options,
-            source.origin()};
+    UnitReader reader(source.buffer(), source.encoding(), true, options);
+    std::vector<std::shared_ptr<const Unit>> units;
+    while (reader.next())
+        units.push_back(reader.parse());
+    return {source.name(), source.encoding(), std::move(units), options, source.origin()};
 }
 
 } // namespace iecfront

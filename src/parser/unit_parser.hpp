@@ -6,42 +6,85 @@
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/ast/unit.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace iecfront {
 
-/// A stretch of text that was lexed and cut, to be parsed unit by unit.
-struct LexedUnits {
-    std::shared_ptr<const std::string> buffer; // all of it is the stretch
-    Encoding encoding = Encoding::utf8;
-    LexedText lexed;
-    std::vector<UnitCut> cuts;
+/// Reads a text unit by unit. Of the tokens, it holds those of the unit where it stands, and a
+/// stretch of what follows. A fragment is one unit.
+class UnitReader {
+public:
+    /// Units will share `buffer`. `at_file_start` says whether it begins a file: a byte order mark
+    /// can stand there, and its first token is the first on its line.
+    UnitReader(std::shared_ptr<const std::string> buffer, Encoding encoding, bool at_file_start,
+               const ParseOptions& options);
 
-    [[nodiscard]] std::uint32_t size() const noexcept {
-        return static_cast<std::uint32_t>(buffer->size());
+    /// Goes to the next unit, at first to the first one. False behind the last one.
+    [[nodiscard]] bool next();
+
+    /// Where the unit begins and ends, in the buffer.
+    [[nodiscard]] std::uint32_t begin() const noexcept { return begin_; }
+    [[nodiscard]] std::uint32_t end() const noexcept { return end_; }
+    /// Its tokens and trivia, and the word that opens its declaration, as `UnitCut` has it.
+    /// Positions count from the start of the buffer, indices from the start of the unit.
+    [[nodiscard]] std::span<const Token> tokens() const noexcept {
+        return lexer_.tokens().subspan(token_, cut_.end_token - token_);
     }
-    /// Offset where the unit ends that `cuts[index]` ends.
-    [[nodiscard]] std::uint32_t unit_end(std::size_t index) const noexcept;
-    /// End of the token before `end_token` with the comments and pragmas that begin on its line,
-    /// unless `end_token` stands there as well: then they are taken to speak of that.
-    [[nodiscard]] std::uint32_t end_on_line(std::uint32_t end_token) const noexcept;
+    [[nodiscard]] std::span<const Trivia> trivia() const noexcept {
+        return lexer_.trivia().subspan(trivia_, trivia_end_ - trivia_);
+    }
+    [[nodiscard]] std::uint32_t opener() const noexcept { return cut_.opener - token_; }
+    /// True when an edit behind it can change it.
+    [[nodiscard]] bool depends_on_rest() const noexcept;
+
+    /// The tokens from its first one on, as far as they are read: at least `cutter_lookahead` more
+    /// than its own, if there are so many. The last one of a text is end_of_unit.
+    [[nodiscard]] std::span<const Token> tokens_ahead() const noexcept {
+        return lexer_.tokens().subspan(token_);
+    }
+    /// How far into the buffer it was looked, for what begins before `place`.
+    [[nodiscard]] std::uint32_t looked_to(std::uint32_t place) const noexcept;
+
+    /// Parses the unit, once.
+    [[nodiscard]] std::shared_ptr<const Unit> parse();
+    /// The same, with a copy of its text for a buffer.
+    [[nodiscard]] std::shared_ptr<const Unit> parse_copy();
+
+private:
+    void read_cut();
+    void read_more();
+    [[nodiscard]] std::uint32_t end_of_cut() const noexcept;
+    [[nodiscard]] std::shared_ptr<const Unit> parse(std::shared_ptr<const std::string> buffer,
+                                                    std::string_view text);
+    [[nodiscard]] std::span<const Token> copy_tokens(Arena& arena);
+    [[nodiscard]] std::span<const Trivia> copy_trivia(Arena& arena) const;
+    [[nodiscard]] std::vector<Diagnostic> take_diagnostics();
+
+    std::shared_ptr<const std::string> buffer_;
+    Encoding encoding_;
+    const ParseOptions& options_;
+    Lexer lexer_;
+    UnitCutter cutter_;
+    bool last_ = false; // nothing stands behind the unit
+
+    // The unit: in the buffer, and in the rows of the lexer.
+    std::uint32_t begin_ = 0;
+    std::uint32_t end_ = 0;
+    std::uint32_t token_ = 0;
+    UnitCut cut_{0, 0};
+    std::size_t trivia_ = 0;
+    std::size_t trivia_end_ = 0;
+    std::size_t diagnostic_ = 0;
+    std::size_t diagnostic_end_ = 0;
+    std::size_t open_end_ = 0;
+    std::size_t open_end_end_ = 0;
+    std::uint32_t longest_ = 0; // token, when they were copied
 };
-
-/// Lexes and cuts; a fragment is one unit. `at_file_start` says whether the stretch begins a file:
-/// a byte order mark can stand there, and its first token is the first on its line.
-[[nodiscard]] LexedUnits lex_units(std::shared_ptr<const std::string> buffer, Encoding encoding,
-                                   bool at_file_start, FragmentKind read_as);
-
-/// True when a diagnostic of the lexer at `range` concerns what stands before `end`, where a unit
-/// ends. An empty range marks the place behind a token where something is missing.
-[[nodiscard]] bool belongs_before(TextRange range, std::uint32_t end) noexcept;
-
-/// Parses all units of the stretch, in order.
-[[nodiscard]] std::vector<std::shared_ptr<const Unit>> parse_units(const LexedUnits& source,
-                                                                   const ParseOptions& options);
 
 } // namespace iecfront

@@ -74,7 +74,12 @@ private:
     void measure_steps() {
         measure("lex", [this] { sink = lex(*buffer_, source_.encoding()).tokens.size(); });
         measure("lex_cut", [this] {
-            sink = lex_units(buffer_, source_.encoding(), true, FragmentKind::library).cuts.size();
+            const ParseOptions options;
+            UnitReader reader(buffer_, source_.encoding(), true, options);
+            std::size_t units = 0;
+            while (reader.next())
+                ++units;
+            sink = units;
         });
         measure("parse", [this] { sink = parse(source_).slots().size(); });
         measure("walk", [this] { sink = count_nodes(tree_); });

@@ -31,6 +31,45 @@ LexedText lexed(const std::string& text, Encoding encoding = Encoding::utf8) {
     return result;
 }
 
+std::vector<std::uint32_t> open_ends(const std::string& text) {
+    std::vector<std::uint32_t> places;
+    for (const OpenEnd& end : lexed(text).open_ends)
+        places.push_back(end.begin);
+    return places;
+}
+
+// The same, some tokens at a time, which are dropped but for the last ones.
+LexedText lexed_by_lines(const std::string& text, Encoding encoding) {
+    Lexer lexer(text, encoding);
+    LexedText result;
+    const auto append = [](auto row, auto& to, std::size_t from) {
+        to.insert(to.end(), row.begin() + static_cast<std::ptrdiff_t>(from), row.end());
+        return row.size();
+    };
+    constexpr std::size_t kept = 2;
+    std::size_t tokens = 0;
+    std::size_t trivia = 0;
+    std::size_t diagnostics = 0;
+    std::size_t open_ends = 0;
+    while (!lexer.done()) {
+        lexer.read(lexer.tokens().size() + 1);
+        tokens = append(lexer.tokens(), result.tokens, tokens);
+        trivia = append(lexer.trivia(), result.trivia, trivia);
+        diagnostics = append(lexer.diagnostics(), result.diagnostics, diagnostics);
+        open_ends = append(lexer.open_ends(), result.open_ends, open_ends);
+        const std::size_t dropped = tokens - std::min(tokens, kept);
+        lexer.drop(dropped, trivia, diagnostics, open_ends);
+        tokens -= dropped;
+        trivia = diagnostics = open_ends = 0;
+    }
+    return result;
+}
+
+bool equal(const LexedText& a, const LexedText& b) {
+    return a.tokens == b.tokens && a.trivia == b.trivia && a.diagnostics == b.diagnostics &&
+           a.open_ends == b.open_ends;
+}
+
 // ---- lexical elements of clauses 2.1 and 2.2, right and wrong ----------------------------------
 
 TEST(Lexer, WellFormedExamples) {
@@ -343,7 +382,7 @@ TEST(Lexer, NestedCommentsInBalanceAreComment) {
     EXPECT_EQ(trivia("(* (* (* *) *) (* *) *)"), "comment(0..23)");
     EXPECT_EQ(trivia("(* a (*) *) x"), "comment(0..11)"); // `(*)` opens and closes
     EXPECT_EQ(faults("(* a (*) *) x"), "1201@5..7");
-    EXPECT_TRUE(lexed("(* (* *) *) x").open_ended.empty());
+    EXPECT_TRUE(lexed("(* (* *) *) x").open_ends.empty());
 }
 
 TEST(Lexer, NestedCommentNamesTheOuterOpening) {
@@ -356,7 +395,7 @@ TEST(Lexer, NestedCommentNamesTheOuterOpening) {
 TEST(Lexer, InnerOpeningThatNothingClosesSwallowsNothing) {
     EXPECT_EQ(tokens("a (* b (* c *) d"), "identifier(a) identifier(d)");
     EXPECT_EQ(faults("a (* b (* c *) d"), "1201@7..9");
-    EXPECT_EQ(lexed("a (* b (* c *) d").open_ended, (std::vector<std::uint32_t>{2}));
+    EXPECT_EQ(open_ends("a (* b (* c *) d"), (std::vector<std::uint32_t>{2}));
     EXPECT_EQ(tokens("(* (* *) a (* (* *) *) b"), "identifier(a) identifier(b)");
     EXPECT_EQ(tokens("(* (*) a"), "identifier(a)");
 }
@@ -365,11 +404,30 @@ TEST(Lexer, UnterminatedCommentIsItsFirstLine) {
     EXPECT_EQ(tokens("a (* b\r\nc (* d\ne"), "identifier(a) identifier(c) identifier(e)");
     EXPECT_EQ(trivia("a (* b\r\nc (* d\ne"), "comment(2..6) comment(10..14)");
     EXPECT_EQ(faults("a (* b\r\nc (* d\ne"), "1202@2..4 1202@10..12");
-    EXPECT_EQ(lexed("a (* b\r\nc (* d\ne").open_ended, (std::vector<std::uint32_t>{2, 10}));
+    EXPECT_EQ(open_ends("a (* b\r\nc (* d\ne"), (std::vector<std::uint32_t>{2, 10}));
     EXPECT_EQ(faults("(*"), "1202@0..2");
     EXPECT_EQ(faults("(*)"), "1202@0..2");
     EXPECT_EQ(faults("(* (* a"), "1202@0..2"); // the telling one
     EXPECT_EQ(faults("(* *) (*"), "1202@6..8");
+}
+
+TEST(Lexer, OpenEndsTellHowFarTheyLook) {
+    const std::vector<std::pair<std::string, OpenEnd>> rows = {
+        {"a (* b\nc", {2, 9}},             // the end of the text counts as a byte
+        {"x 'a'b\nc", {5, 7}},             // to the line end
+        {"x 'a'b", {5, 7}},                //
+        {"x 'a\r\nc; d\ne", {2, 11}},      // to the end of the next line
+        {"x 'a;\r\nc d\ne", {2, 7}},       // to the end of its own
+        {"x := {{1} 2; 3", {5, 12}},       // to the `;`
+        {"x := {1,{2}} 3", {5, 14}},       // to what stands behind it
+        {"x ( * y (* z *) *) w", {2, 15}}, // to the end of the next comment
+    };
+    for (const auto& [text, expected] : rows) {
+        const LexedText result = lexed(text);
+        ASSERT_EQ(result.open_ends.size(), 1U) << text;
+        EXPECT_EQ(result.open_ends[0].begin, expected.begin) << text;
+        EXPECT_EQ(result.open_ends[0].looked_to, expected.looked_to) << text;
+    }
 }
 
 TEST(Lexer, StrayCommentEnd) {
@@ -384,7 +442,7 @@ TEST(Lexer, Pragmas) {
     EXPECT_EQ(faults("(* { *)"), "");
     EXPECT_EQ(tokens("a { b\nc"), "identifier(a) identifier(c)");
     EXPECT_EQ(faults("a { b\nc"), "1204@2..3");
-    EXPECT_EQ(lexed("a { b\nc").open_ended, (std::vector<std::uint32_t>{2}));
+    EXPECT_EQ(open_ends("a { b\nc"), (std::vector<std::uint32_t>{2}));
     EXPECT_EQ(tokens("a } b"), "identifier(a) unknown!(}) identifier(b)");
     EXPECT_EQ(faults("a } b"), "1205@2..3");
     EXPECT_EQ(fixed("a } b"), "a  b");
@@ -721,8 +779,10 @@ TEST(Lexer, AnyBytesGiveBackEveryByte) {
         const auto encoding = static_cast<Encoding>(random() % 3);
         const LexedText result = lex(text, encoding);
         ASSERT_EQ(tiling_fault(text, result, encoding), "") << testing::PrintToString(text);
-        for (const std::uint32_t offset : result.open_ended) {
-            if (text[offset] == '(' || text[offset] == '{' || text[offset] == '/') {
+        ASSERT_TRUE(equal(lexed_by_lines(text, encoding), result)) << testing::PrintToString(text);
+        for (const OpenEnd& end : result.open_ends) {
+            const char opening = text[end.begin];
+            if (opening == '(' || opening == '{' || opening == '/') {
                 EXPECT_FALSE(result.diagnostics.empty());
             }
         }

@@ -23,6 +23,33 @@ std::vector<UnitCut> checked_cuts(const LexedText& lexed) {
     return cuts;
 }
 
+// The same cuts, asked for with a token more each time, and without those that were cut.
+std::vector<UnitCut> cuts_of_growing_row(std::span<const Token> tokens) {
+    UnitCutter cutter;
+    std::vector<UnitCut> cuts;
+    std::size_t dropped = 0;
+    for (std::size_t end = 0; end <= tokens.size();) {
+        const auto row = tokens.first(end).subspan(dropped);
+        const std::optional<UnitCut> cut = cutter.next(row, end == tokens.size());
+        if (!cut) {
+            ++end;
+            continue;
+        }
+        const auto moved = static_cast<std::uint32_t>(dropped);
+        cuts.push_back({cut->end_token + moved, cut->opener + moved});
+        cutter.drop(cut->end_token);
+        dropped += cut->end_token;
+    }
+    return cuts;
+}
+
+std::string as_text(const std::vector<UnitCut>& cuts) {
+    std::string text;
+    for (const UnitCut& cut : cuts)
+        text += std::to_string(cut.opener) + ".." + std::to_string(cut.end_token) + " ";
+    return text;
+}
+
 // The units of a text, each with its tokens separated by one space.
 std::vector<std::string> units(std::string_view text) {
     const std::string terminated(text);
@@ -221,9 +248,17 @@ TEST(UnitCutter, AnyWordsAreCutIntoRowsOfUnits) {
         for (auto i = random() % 16; i > 0; --i)
             text += words[random() % std::size(words)];
         const LexedText lexed = lex(text, Encoding::utf8);
-        checked_cuts(lexed);
+        const std::vector<UnitCut> cuts = checked_cuts(lexed);
+        ASSERT_EQ(as_text(cuts_of_growing_row(lexed.tokens)), as_text(cuts)) << text;
         ASSERT_FALSE(HasFailure()) << text;
     }
+}
+
+// What opened an earlier unit says nothing of a later one.
+TEST(UnitCutter, StrayWordsAreCutAlikeWhereverTheyStand) {
+    EXPECT_EQ(units("a b END_TYPE c d"), Units{"a b END_TYPE c d"});
+    EXPECT_EQ(units("TYPE END_TYPE\na b END_TYPE c d"),
+              (Units{"TYPE END_TYPE", "a b END_TYPE c d"}));
 }
 
 } // namespace

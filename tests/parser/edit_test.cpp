@@ -144,6 +144,72 @@ TEST(Edit, EqualsAFreshTreeForEveryEditOfSmallTexts) {
         EXPECT_EQ(test::every_edit_fault(SourceText(text), {}), "") << text;
 }
 
+// Of what stands around a unit, an edit in it reads nothing anew.
+TEST(Edit, ParsesTheUnitAlone) {
+    const SyntaxTree tree = parse(SourceText(library(50)));
+    for (const char* const words : {"f25 : INT", "f25 := a", "a : INT; END_VAR\nf25"}) {
+        const SyntaxTree edited = tree.edited(place_of(tree, words), words + std::string(" "));
+        EXPECT_TRUE(edited == parse(edited.source())) << words;
+        EXPECT_EQ(shared_units(tree, edited), 49U) << words;
+    }
+    // What begins the unit decides about the one before it.
+    const SyntaxTree edited = tree.edited(place_of(tree, "f25 : INT"), "f25 + INT");
+    EXPECT_TRUE(edited == parse(edited.source()));
+}
+
+TEST(Edit, SharesTheUnitsBehindAnOpenComment) {
+    const SyntaxTree tree = parse(SourceText(library(50)));
+    const SyntaxTree opened = tree.edited({0, 0}, "(* ");
+    EXPECT_TRUE(opened == parse(opened.source()));
+    EXPECT_TRUE(opened.slots()[0].unit->depends_on_rest());
+    EXPECT_GE(shared_units(tree, opened), 48U);
+    const SyntaxTree typed = opened.edited(place_of(opened, "f25 := a"), "f25 := b");
+    EXPECT_TRUE(typed == parse(typed.source()));
+    EXPECT_GE(shared_units(opened, typed), 48U);
+}
+
+// A word that adjoins a string depends on its line, and on nothing behind it.
+TEST(Edit, SharesTheUnitsBehindAString) {
+    std::string text = library(50);
+    text.insert(text.find("f25 := a"), "x := 'a'x;\ny := 'b;\n");
+    const SyntaxTree tree = parse(SourceText(text));
+    for (const auto& slot : tree.slots())
+        EXPECT_FALSE(slot.unit->depends_on_rest());
+    for (const char* const words : {"f25 := a", "f27 := a"}) {
+        const SyntaxTree edited = tree.edited(place_of(tree, words), "z := a");
+        EXPECT_TRUE(edited == parse(edited.source()));
+        EXPECT_EQ(shared_units(tree, edited), 49U) << words;
+    }
+}
+
+// A file begins as a line does; elsewhere that takes a line end.
+TEST(Edit, ReadsAgainWhatBeganTheFile) {
+    const SyntaxTree tree = parse(SourceText("x"));
+    const SyntaxTree edited = tree.edited({0, 0}, "PROGRAM p;END_PROGRAM;");
+    EXPECT_TRUE(edited == parse(edited.source()));
+    EXPECT_TRUE(edited.edited({0, 22}, "") == tree);
+}
+
+// Whether the braces nest is decided by what stands behind them, which can be of another unit.
+TEST(Edit, ReadsAgainWhatNests) {
+    const SyntaxTree tree =
+        parse(SourceText("x := {1 {2} PROGRAM p a b c d e f g h } j\nEND_PROGRAM\n"));
+    const SyntaxTree edited = tree.edited(place_of(tree, " j\n"), "; j\n");
+    EXPECT_TRUE(edited == parse(edited.source()));
+}
+
+TEST(Edit, KeepsOffsetsAndLines) {
+    const SyntaxTree tree = parse(SourceText(library(9)));
+    const SyntaxTree edited = tree.edited(place_of(tree, "f4 := a"), "f4 :=\n\n a");
+    const SyntaxTree fresh = parse(edited.source());
+    EXPECT_EQ(edited.size(), fresh.size());
+    ASSERT_EQ(edited.slots().size(), fresh.slots().size());
+    for (std::size_t i = 0; i < fresh.slots().size(); ++i) {
+        EXPECT_EQ(edited.slots()[i].offset, fresh.slots()[i].offset);
+        EXPECT_EQ(edited.slots()[i].first_line, fresh.slots()[i].first_line);
+    }
+}
+
 // Once a comment is closed, no unit depends on what follows any more.
 TEST(Edit, ForgetsThatACommentWasOpen) {
     const SyntaxTree tree = parse(SourceText(library(20)));

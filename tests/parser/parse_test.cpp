@@ -48,6 +48,20 @@ TEST(Parse, GivesAUnitForEachLibraryElement) {
     EXPECT_TRUE(tree.diagnostics().empty());
 }
 
+// Of a large text, some tokens are held at a time.
+TEST(Parse, GivesTheUnitsOfALargeTextAsAlone) {
+    std::string text;
+    for (const std::size_t statements : {1U, 9U, 900U, 2U, 5000U, 3U, 0U, 700U, 40U})
+        text += program(repeated("x := x + {p} 1; (* c *) y__ := 'a;\n", statements)) + ";;;;;;;\n";
+    const SyntaxTree tree = parse(SourceText(text));
+    ASSERT_EQ(tree.slots().size(), 9U);
+    for (const auto& slot : tree.slots()) {
+        const SyntaxTree alone = parse(SourceText(std::string(slot.unit->text())));
+        ASSERT_EQ(alone.slots().size(), 1U);
+        EXPECT_TRUE(*alone.slots()[0].unit == *slot.unit) << slot.offset;
+    }
+}
+
 TEST(Parse, KeepsErrorsOfOneUnitFromAnother) {
     const std::string good =
         "FUNCTION g : INT\nVAR_INPUT a : INT; END_VAR\ng := a;\nEND_FUNCTION\n";

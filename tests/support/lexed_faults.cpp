@@ -54,7 +54,7 @@ std::string tiling_fault(std::string_view text, const LexedText& lexed, Encoding
             return "diagnostic at " + place(diagnostic.range);
         last = diagnostic.range.begin;
     }
-    const bool ordered = std::is_sorted(lexed.open_ended.begin(), lexed.open_ended.end());
+    const bool ordered = std::ranges::is_sorted(lexed.open_ends, {}, &OpenEnd::begin);
     return ordered ? "" : "open ends are not in order";
 }
 

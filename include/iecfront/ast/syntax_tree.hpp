@@ -152,10 +152,14 @@ public:
     [[nodiscard]] SyntaxTree edited(TextRange range, std::string_view replacement) const;
 
 private:
+    // The same file with other slots, made by an edit.
+    SyntaxTree(const SyntaxTree& before, std::vector<Slot> slots, std::size_t first_open);
+
     std::string name_;
     Encoding encoding_;
     std::uint32_t size_ = 0;
     std::shared_ptr<const std::vector<Slot>> slots_;
+    std::size_t first_open_ = 0; // slot whose unit depends on the rest; one past the last for none
     ParseOptions options_;
     Origin origin_;
 };

@@ -58,8 +58,8 @@ public:
     [[nodiscard]] std::span<const Diagnostic> diagnostics() const noexcept {
         return parts_.diagnostics;
     }
-    /// True when a comment or pragma in this unit is never closed, or a word adjoins a string, so
-    /// that text behind the unit could change it.
+    /// True when text behind the unit could change it: a comment or pragma in it is never closed,
+    /// or a string that may go on stands in its last lines.
     [[nodiscard]] bool depends_on_rest() const noexcept { return parts_.depends_on_rest; }
 
     /// Where the lines of the unit's text begin.
