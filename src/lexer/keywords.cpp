@@ -6,13 +6,9 @@ namespace iecfront {
 
 // The table is indexed by TokenKind: keywords come first in tokens.def.
 static_assert(static_cast<std::size_t>(TokenKind::kw_eno) + 1 == keywords::spellings.size());
-static_assert(keywords::spellings.size() < keywords::empty_slot);
+static_assert(keywords::spellings.size() <= 0xFF); // so many a slot can tell apart
 
-static_assert(std::ranges::all_of(keywords::spellings, [](std::string_view word) {
-    return word.size() >= keywords::shortest && word.size() <= keywords::longest;
-}));
-
-// Words of letters and underscores only: `key` folds nothing else right.
+// Words of letters and underscores only: the lexer takes no others for keywords.
 static_assert(std::ranges::all_of(keywords::spellings, [](std::string_view word) {
     return std::ranges::all_of(word, [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; });
 }));

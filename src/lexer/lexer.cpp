@@ -5,6 +5,7 @@
 #include "lexer/keywords.hpp"
 #include "lexer/literal_scanners.hpp"
 #include "lexer/meant_number.hpp"
+#include "lexer/word_shape.hpp"
 
 #include <iecfront/lexer/literals.hpp>
 #include <iecfront/lexer/name.hpp>
@@ -50,65 +51,142 @@ Lexer::Lexer(std::string_view text, Encoding encoding, bool at_file_start)
 void Lexer::read(std::size_t count) {
     if (done_)
         return;
+    // Published programs have a token in 6 to 8 bytes; the row grows where that is too few. A line
+    // may go on behind the last token.
+    constexpr std::size_t on_a_line = 64;
+    const std::size_t likely = token_count() + static_cast<std::size_t>(end_ - at_) / 6 + 16;
+    const std::size_t room = count < likely ? std::min(count + on_a_line, likely) : likely;
+    if (result_.tokens.size() < room)
+        grow_tokens(room - result_.tokens.size());
     at_ = read_until(count);
     sort_by_place(result_.diagnostics);
 }
 
+namespace {
+
+// What most tokens are: told by their first characters alone.
+struct Piece {
+    TokenKind kind;
+    std::uint32_t size;
+};
+
+// The longer delimiter when `second` follows, else the shorter one.
+[[nodiscard]] Piece either(const char* begin, char second, TokenKind longer, TokenKind shorter) {
+    return begin[1] == second ? Piece{longer, 2} : Piece{shorter, 1};
+}
+
+} // namespace
+
 // Goes on from `at_`, and stops at a line end where `count` tokens are there: nothing that is put
 // together from several tokens goes on behind one.
+//
+// What a case takes as it stands, it leaves in `piece` for the end of the loop, so that the code
+// that makes most tokens is there once. For all else a function makes the tokens.
 const char* Lexer::read_until(std::size_t count) {
     const char* p = at_;
     for (;;) {
+        Piece piece{TokenKind::unknown, 1};
         switch (class_of(*p)) {
         case CharacterClass::blank:
             do
                 ++p;
             while (*p == ' ');
-            break;
+            continue;
         case CharacterClass::line_end:
             first_on_line_ = true;
             ++p;
             if (token_count() >= count) [[unlikely]]
                 return p;
+            continue;
+        case CharacterClass::word: {
+            const WordShape shape = shape_of_word(p, end_);
+            const std::string_view text = view(p, shape.end);
+            if (shape.stray_underscores || is_odd_word(text)) [[unlikely]] {
+                p = odd_word(p);
+                continue;
+            }
+            piece = {keyword_kind(text, shape.head), static_cast<std::uint32_t>(text.size())};
             break;
-        case CharacterClass::word: p = word(p); break;
-        case CharacterClass::digit: p = number(p); break;
-        case CharacterClass::quote: p = string(p); break;
-        case CharacterClass::single: p = delimiter(single_delimiter(*p), p, 1); break;
+        }
+        case CharacterClass::digit: {
+            const char* end = p + 1;
+            while (is_digit(*end))
+                ++end;
+            if (number_goes_on(p, end)) {
+                p = long_number(p);
+                continue;
+            }
+            piece = {TokenKind::integer, static_cast<std::uint32_t>(end - p)};
+            break;
+        }
+        case CharacterClass::quote: p = string(p); continue;
+        case CharacterClass::single: piece.kind = single_delimiter(*p); break;
         case CharacterClass::ampersand:
-            p = either(p, '&', TokenKind::ampersand_ampersand, TokenKind::ampersand);
+            piece = either(p, '&', TokenKind::ampersand_ampersand, TokenKind::ampersand);
             break;
-        case CharacterClass::bar:
-            p = p[1] == '|' ? delimiter(TokenKind::bar_bar, p, 2) : unexpected(p);
+        case CharacterClass::brace_left: p = pragma(p); continue;
+        case CharacterClass::brace_right: p = stray_pragma_end(p); continue;
+        case CharacterClass::caret: p = caret(p); continue;
+        case CharacterClass::colon:
+            piece = either(p, '=', TokenKind::assign, TokenKind::colon);
             break;
-        case CharacterClass::brace_left: p = pragma(p); break;
-        case CharacterClass::brace_right: p = stray_pragma_end(p); break;
-        case CharacterClass::caret: p = caret(p); break;
-        case CharacterClass::colon: p = either(p, '=', TokenKind::assign, TokenKind::colon); break;
-        case CharacterClass::dot: p = dot(p); break;
+        case CharacterClass::dot:
+            if (!is_word_start(p[1])) {
+                p = dot(p);
+                continue;
+            }
+            piece.kind = TokenKind::dot;
+            break;
         case CharacterClass::equal:
-            p = p[1] == '>' ? delimiter(TokenKind::output_arrow, p, 2)
-                            : either(p, '=', TokenKind::equal_equal, TokenKind::equal);
-            break;
-        case CharacterClass::exclamation:
-            p = p[1] == '=' ? delimiter(TokenKind::exclamation_equal, p, 2) : unexpected(p);
+            piece = p[1] == '>' ? Piece{TokenKind::output_arrow, 2}
+                                : either(p, '=', TokenKind::equal_equal, TokenKind::equal);
             break;
         case CharacterClass::greater:
-            p = either(p, '=', TokenKind::greater_equal, TokenKind::greater);
+            piece = either(p, '=', TokenKind::greater_equal, TokenKind::greater);
             break;
         case CharacterClass::less:
-            p = p[1] == '>' ? delimiter(TokenKind::not_equal, p, 2)
-                            : either(p, '=', TokenKind::less_equal, TokenKind::less);
+            piece = p[1] == '>' ? Piece{TokenKind::not_equal, 2}
+                                : either(p, '=', TokenKind::less_equal, TokenKind::less);
             break;
-        case CharacterClass::number_sign: p = number_sign(p); break;
         case CharacterClass::parenthesis_left:
-            p = p[1] == '*' ? comment(p) : left_parenthesis(p);
+            if (p[1] == '*' || class_of(p[1]) == CharacterClass::blank) {
+                p = p[1] == '*' ? comment(p) : left_parenthesis(p);
+                continue;
+            }
+            piece.kind = TokenKind::left_parenthesis;
             break;
-        case CharacterClass::percent: p = location(p); break;
-        case CharacterClass::slash: p = slash(p); break;
-        case CharacterClass::star: p = star(p); break;
-        case CharacterClass::non_ascii: p = non_ascii(p); break;
-        case CharacterClass::unexpected: p = unexpected(p); break;
+        case CharacterClass::slash:
+            if (p[1] == '/' || p[1] == '*') {
+                p = p[1] == '/' ? line_comment(p) : c_comment(p);
+                continue;
+            }
+            piece.kind = TokenKind::slash;
+            break;
+        case CharacterClass::star:
+            if (p[1] == ')') {
+                p = stray_comment_end(p);
+                continue;
+            }
+            piece = either(p, '*', TokenKind::power, TokenKind::star);
+            break;
+        case CharacterClass::bar:
+            if (p[1] != '|') {
+                p = unexpected(p);
+                continue;
+            }
+            piece = {TokenKind::bar_bar, 2};
+            break;
+        case CharacterClass::exclamation:
+            if (p[1] != '=') {
+                p = unexpected(p);
+                continue;
+            }
+            piece = {TokenKind::exclamation_equal, 2};
+            break;
+        case CharacterClass::number_sign: p = number_sign(p); continue;
+        case CharacterClass::percent: p = location(p); continue;
+        case CharacterClass::non_ascii: p = non_ascii(p); continue;
+        case CharacterClass::unexpected: p = unexpected(p); continue;
         case CharacterClass::zero:
             if (p == end_) {
                 first_on_line_ = true;
@@ -117,12 +195,19 @@ const char* Lexer::read_until(std::size_t count) {
                 return p;
             }
             p = unexpected(p);
-            break;
+            continue;
         }
+        put(piece.kind, p, p + piece.size);
+        p += piece.size;
+        p += *p == ' ' ? 1 : 0; // mostly there is one, which takes no branch to pass
     }
 }
 
 // ---- tokens ------------------------------------------------------------------------------------
+
+void Lexer::emit(TokenKind kind, const char* begin, const char* end, bool malformed) {
+    put(kind, begin, end, malformed);
+}
 
 void Lexer::emit_any(TokenKind kind, const char* begin, const char* end, bool malformed) {
     if (static_cast<std::size_t>(end - begin) > Token::maximum_length)
@@ -196,31 +281,14 @@ namespace {
 
 } // namespace
 
-const char* Lexer::word(const char* begin) {
-    const char* p = begin;
-    unsigned seen = 0;
-    unsigned bits = word_bits_of(*p);
-    do {
-        seen |= bits;
-        bits = word_bits_of(*++p);
-    } while ((bits & characters::word_part) != 0);
-    if ((bits & characters::word_joins) != 0) [[unlikely]]
-        return long_word(begin);
-
-    const auto size = static_cast<std::size_t>(p - begin);
-    const TokenKind kind = keyword_kind(begin, size);
-    if (kind == TokenKind::identifier) {
-        const bool plain =
-            (seen & characters::word_underscore) == 0 || has_single_underscores(begin, p);
-        if (!plain || size > Token::maximum_length) [[unlikely]]
-            return identifier(begin, p);
-    }
-    emit(kind, begin, p);
-    return p;
+// True for a word that ends in a `#` or a character beyond ASCII, or is longer than a token can be.
+bool Lexer::is_odd_word(std::string_view word) noexcept {
+    return (word_bits_of(word.data()[word.size()]) & characters::word_joins) != 0 ||
+           word.size() > Token::maximum_length;
 }
 
-// A word that a `#` or a character beyond ASCII follows.
-const char* Lexer::long_word(const char* begin) {
+// A word that a `#` or a character beyond ASCII may follow, or one with a fault.
+const char* Lexer::odd_word(const char* begin) {
     const char* const end = extents_.word_end(begin);
     if (*end == '#')
         return prefixed(begin, end);
@@ -627,15 +695,9 @@ bool Lexer::can_be_prefix(Token token) const {
 
 // ---- numbers -----------------------------------------------------------------------------------
 
-const char* Lexer::number(const char* begin) {
-    const char* p = begin;
-    do
-        ++p;
-    while (is_digit(*p));
-    if ((word_bits_of(*p) & characters::number_goes_on) != 0 || p - begin > safe_digits)
-        return long_number(begin);
-    emit(TokenKind::integer, begin, p);
-    return p;
+// True for digits that may not be all of a number, or too many to be sure that nothing is wrong.
+bool Lexer::number_goes_on(const char* begin, const char* end) noexcept {
+    return (word_bits_of(*end) & characters::number_goes_on) != 0 || end - begin > safe_digits;
 }
 
 const char* Lexer::long_number(const char* begin) {
@@ -1054,17 +1116,7 @@ const char* Lexer::dot(const char* begin) {
                           gaps_of({range(before_end, begin)}));
 }
 
-const char* Lexer::slash(const char* begin) {
-    if (begin[1] == '/')
-        return line_comment(begin);
-    if (begin[1] == '*')
-        return c_comment(begin);
-    return delimiter(TokenKind::slash, begin, 1);
-}
-
-const char* Lexer::star(const char* begin) {
-    if (begin[1] != ')')
-        return either(begin, '*', TokenKind::power, TokenKind::star);
+const char* Lexer::stray_comment_end(const char* begin) {
     const TextRange where = range(begin, begin + 2);
     add_replacement(report(DiagnosticId::stray_comment_end, where), where);
     emit(TokenKind::unknown, begin, begin + 2, true);
@@ -1463,7 +1515,7 @@ const char* Lexer::non_ascii(const char* begin) {
     const char* const end = extents_.word_end(begin);
     const bool only_broken_bytes = std::all_of(
         begin, end, [this](const char& c) { return !is_ascii(c) && !extents_.decode(&c).valid; });
-    return only_broken_bytes ? unexpected(begin) : long_word(begin);
+    return only_broken_bytes ? unexpected(begin) : odd_word(begin);
 }
 
 // A string in the quotes of a word processor. Null when none begins here.
@@ -1655,8 +1707,6 @@ const char* Lexer::unexpected(const char* begin) {
 
 LexedText lex(std::string_view text, Encoding encoding, bool at_file_start) {
     Lexer lexer(text, encoding, at_file_start);
-    // Published programs have a token in 6 to 8 bytes; the row grows where that is too few.
-    lexer.make_room(text.size() / 6 + 16);
     lexer.read(std::numeric_limits<std::size_t>::max());
     return lexer.take();
 }

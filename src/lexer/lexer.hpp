@@ -63,8 +63,6 @@ public:
 
     /// All rows as they are; the lexer is of no use any more.
     [[nodiscard]] LexedText take();
-    /// Makes room for so many tokens.
-    void make_room(std::size_t tokens) { grow_tokens(tokens); }
 
 private:
     // White space, comments and pragmas that wrongly stand inside a literal (2.1.4), each with what
@@ -82,11 +80,9 @@ private:
     const char* read_until(std::size_t count);
 
     // Each takes the place where something begins, and gives the place behind it.
-    const char* word(const char* begin);
-    const char* long_word(const char* begin);
+    const char* odd_word(const char* begin);
     const char* plain_word(const char* begin, const char* end);
     const char* prefixed(const char* begin, const char* prefix_end);
-    const char* number(const char* begin);
     const char* long_number(const char* begin);
     const char* integer(const char* begin, const char* end);
     const char* number_with_point(const char* begin, const char* point);
@@ -106,8 +102,7 @@ private:
     [[nodiscard]] bool is_stray_quote(const char* begin) const;
     const char* number_sign(const char* begin);
     const char* dot(const char* begin);
-    const char* slash(const char* begin);
-    const char* star(const char* begin);
+    const char* stray_comment_end(const char* begin);
     const char* caret(const char* begin);
     const char* left_parenthesis(const char* begin);
     const char* comment(const char* begin);
@@ -126,11 +121,6 @@ private:
         emit(kind, begin, begin + size);
         return begin + size;
     }
-    // The longer delimiter when `second` follows, else the shorter one.
-    const char* either(const char* begin, char second, TokenKind longer, TokenKind shorter) {
-        return begin[1] == second ? delimiter(longer, begin, 2) : delimiter(shorter, begin, 1);
-    }
-
     const char* identifier(const char* begin, const char* end);
     const char* literal(TokenKind kind, const char* begin, const char* end);
     const char* literal_with_gaps(TokenKind kind, const char* begin, const char* end);
@@ -159,7 +149,12 @@ private:
     const char* end_of_prose(const char* begin, std::string_view opening, std::string_view closing);
     const char* line_end(const char* begin);
 
-    void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false) {
+    [[nodiscard]] static bool is_odd_word(std::string_view word) noexcept;
+    [[nodiscard]] static bool number_goes_on(const char* begin, const char* end) noexcept;
+
+    void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false);
+    // The same, inlined where most tokens are made.
+    void put(TokenKind kind, const char* begin, const char* end, bool malformed = false) {
         if (next_token_ == tokens_end_) [[unlikely]]
             grow_tokens(result_.tokens.size() / 2 + 16);
         *next_token_++ = Token(kind, offset(begin), static_cast<std::uint32_t>(end - begin),
