@@ -37,7 +37,6 @@ public:
         if (!updating())
             check_sections(outcome);
         check_fixes(outcome);
-        expect_invariants(source_text_of(case_), options_of(case_));
     }
 
 private:
@@ -127,6 +126,11 @@ TEST_P(Cases, AreAsExpected) {
         update(file);
     for (const Case& one : file.cases)
         Checker(file, one).check(run_case(one));
+}
+
+TEST_P(Cases, HoldWhatMustAlwaysHold) {
+    for (const Case& one : GetParam().cases)
+        expect_invariants(source_text_of(one), options_of(one));
 }
 
 /// True when what stands behind `tree` is a declaration of its own.
