@@ -62,7 +62,7 @@ build_library() {
 configure() {
     cmake -S "$tree" -B "$build/build" -G Ninja -D CMAKE_BUILD_TYPE=Release \
         -D CMAKE_CXX_FLAGS_RELEASE="-O1 -w -include $here/mutant.hpp" \
-        -D IECFRONT_BUILD_EXAMPLES=OFF > "$build/log"
+        -D IECFRONT_BUILD_EXAMPLES=OFF -D IECFRONT_UNITY_BUILD=OFF > "$build/log"
 }
 
 # Some tests read the sources, which then have to be as they are.
