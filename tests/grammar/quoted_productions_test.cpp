@@ -28,7 +28,7 @@ constexpr Reader readers[] = {
      "simple_spec_init subrange_spec_init enumerated_spec_init array_spec_init "
      "initialized_structure"},
     {"check_reference", "global_var_reference program_output_reference"},
-    {"check_standard_name", "function_name function_block_type_name"},
+    {"check_name_of_standard", "function_name function_block_type_name"},
     {"make_invocation", "fb_invocation"},
     {"operator_strength", "comparison_operator add_operator multiply_operator"},
     {"parse_access_declaration", "program_access_decl direction access_name"},
