@@ -290,8 +290,10 @@ bool UnitCutter::goes_on_as_head(std::size_t i) const noexcept {
 bool UnitCutter::begins_declaration(std::size_t i) const noexcept {
     if (tokens_[i].first_on_line())
         return true;
-    // The first token is first on its line. One word before it may be a misspelt closing word.
+    // The first token is first on its line. One word before it may be a misspelt closing word, but
+    // not `END_`, of which the opener itself is the rest.
     const bool word = i > unit_begin_ + 1 && tokens_[i - 1].kind() == TokenKind::identifier &&
+                      !tokens_[i - 1].malformed() &&
                       tokens_[i].kind() != TokenKind::kw_type; // which could be a name
     const TokenKind before = tokens_[i - (word ? 2 : 1)].kind();
     return before == TokenKind::semicolon || role_of(before) == Role::closer ||
