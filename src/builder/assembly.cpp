@@ -121,7 +121,13 @@ Assembly& Assembly::names(const std::vector<std::string_view>& names, std::strin
 }
 
 Assembly& Assembly::enumerated_value(std::string_view value, std::string_view type) {
-    return type.empty() ? name(value) : name(type).text("#").name(value);
+    if (type.empty())
+        return name(value);
+    name(type).text("#").name(value);
+    const std::string typed = std::string(type) + "#" + std::string(value);
+    if (single_token(typed) != TokenKind::enumerated_value) // `D#a` begins a date
+        require(false, quoted(typed) + " is no enumerated value");
+    return *this;
 }
 
 Assembly& Assembly::literal(std::string_view text) {

@@ -152,6 +152,8 @@ TEST(BuiltNames, AreIdentifiers) {
         EXPECT_NE(enumerated_value("a", std::string("x").append(name).append(" ")).fault(), "");
     }
     EXPECT_EQ(variable_name("1a").fault(), "`1a` is no identifier");
+    EXPECT_EQ(enumerated_value("a", "D").fault(), "`D#a` is no enumerated value"); // a date (2.2.3)
+    EXPECT_EQ(enumerated_value("a", "colour").text(), "colour#a");
     for (const std::string_view name : {"a", "_a1", "LD", "TON", "T", "EN", "ENO"})
         EXPECT_EQ(variable_name(name).fault(), "") << name;
     EXPECT_NE(derived_type_name("EN").fault(), "");
