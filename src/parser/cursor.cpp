@@ -6,7 +6,6 @@
 #include <utility>
 
 namespace iecfront {
-namespace {} // namespace
 
 Parser::Parser(std::string_view text, std::span<const Token> tokens,
                std::span<const Diagnostic> lexical, std::uint32_t opener, Arena& arena,

@@ -92,7 +92,8 @@ constexpr TokenSet plain_operators = [] {
 constexpr TokenSet second_halves{TokenKind::less, TokenKind::greater, TokenKind::equal,
                                  TokenKind::equal_equal, TokenKind::star};
 
-// Behind an operand: it has no parts, and is not the whole of a mistake.
+// Behind an operand: it has no parts, and is not the whole of a mistake. Not so `-`, as `a->b`
+// stands for `a.b`.
 constexpr TokenSet behind_plain_operand{
     TokenKind::semicolon,     TokenKind::comma,   TokenKind::right_parenthesis,
     TokenKind::kw_or,         TokenKind::kw_xor,  TokenKind::kw_and,

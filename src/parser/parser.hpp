@@ -306,6 +306,7 @@ private:
     }
     void count_balances() noexcept;
     void count_as_name(TokenKind word);
+    /// `opener` is a word that opens what has a closing word of its own.
     [[nodiscard]] static TokenKind closer_of(TokenKind opener) noexcept;
     [[nodiscard]] bool opens_block(TokenKind word);
     [[nodiscard]] bool at_declaration_start() const noexcept;

@@ -11,7 +11,6 @@ bool has_inputs(const ast::VariableDeclarations* block) noexcept {
 }
 
 } // namespace
-namespace {} // namespace
 
 // function_declaration = "FUNCTION" derived_function_name ":"
 //                        ( elementary_type_name | derived_type_name )

@@ -62,13 +62,14 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
     }
 }
 
-/// True when what follows belongs to something that is open further out, or closes this list.
-// `name :=` begins an assignment, and no word that closes or parts a statement is misspelt so.
+/// `name :=` begins an assignment, and no word that closes or parts a statement is misspelt so.
 bool Parser::at_plain_assignment() const noexcept {
     return at(TokenKind::identifier) && tokens_[at_ + 1].kind() == TokenKind::assign;
 }
 
+/// True when what follows belongs to something that is open further out, or closes this list.
 bool Parser::at_end_of_statements() {
+    // CASE may be a label's that is repeated, and WHILE may stand for UNTIL.
     static constexpr TokenSet plain_statements{TokenKind::kw_if, TokenKind::kw_for,
                                                TokenKind::kw_repeat};
     if (at_plain_assignment() || at(plain_statements))

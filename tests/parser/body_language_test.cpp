@@ -122,6 +122,20 @@ TEST(BodyLanguage, OfTwoInstructionsSurvivesAStatementOfMany) {
                       "IF b THEN c := 1; END_IF;", 1);
 }
 
+// Fewer lines than what decides at once.
+TEST(BodyLanguage, SurvivesAStretchOfTheOtherOne) {
+    constexpr std::ptrdiff_t stretch = 15;
+    std::vector<std::string> body = statements();
+    const std::vector<std::string> other = instructions();
+    body.insert(body.begin(), other.begin(), other.begin() + stretch);
+    EXPECT_GE(count_nodes(parse_body(body), ast::NodeKind::assignment_statement), lines);
+
+    body = other;
+    const std::vector<std::string> first = statements();
+    body.insert(body.begin(), first.begin(), first.begin() + stretch);
+    EXPECT_GE(count_nodes(parse_body(body), ast::NodeKind::il_simple_operation), lines);
+}
+
 TEST(BodyLanguage, OfStatementsSurvivesAMissingSemicolon) {
     for (const std::size_t place : {std::size_t{0}, lines / 2, lines - 1}) {
         std::vector<std::string> body = statements();
