@@ -1,41 +1,50 @@
 #include <iecfront/ast/arena.hpp>
 
-#include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace iecfront {
-namespace {
 
-constexpr std::size_t smallest_chunk = 512;
-
-} // namespace
+Arena::Arena(std::size_t capacity)
+    : limit_(capacity),
+      block_(std::make_unique_for_overwrite<std::byte[]>(capacity)),
+      capacity_(capacity) {}
 
 Arena::Arena(Arena&& other) noexcept
-    : chunks_(std::move(other.chunks_)),
-      chunk_(std::exchange(other.chunk_, nullptr)),
-      used_(std::exchange(other.used_, 0)),
+    : limit_(std::exchange(other.limit_, 0)),
+      block_(std::move(other.block_)),
       capacity_(std::exchange(other.capacity_, 0)),
-      next_chunk_(other.next_chunk_),
-      reserved_(std::exchange(other.reserved_, 0)) {}
+      used_(std::exchange(other.used_, 0)) {}
 
 Arena& Arena::operator=(Arena&& other) noexcept {
-    chunks_ = std::move(other.chunks_);
-    chunk_ = std::exchange(other.chunk_, nullptr);
-    used_ = std::exchange(other.used_, 0);
+    limit_ = std::exchange(other.limit_, 0);
+    block_ = std::move(other.block_);
     capacity_ = std::exchange(other.capacity_, 0);
-    next_chunk_ = other.next_chunk_;
-    reserved_ = std::exchange(other.reserved_, 0);
+    used_ = std::exchange(other.used_, 0);
     return *this;
 }
 
-void Arena::grow(std::size_t at_least) {
-    capacity_ = std::max(next_chunk_, at_least);
-    chunks_.push_back(std::make_unique_for_overwrite<std::byte[]>(capacity_));
-    chunk_ = chunks_.back().get();
-    reserved_ += capacity_;
-    // A sixteenth of what there is: so little lies unused in the end. Half of it, for fewer chunks,
-    // made trees a fifth larger and reading no faster.
-    next_chunk_ = std::max(smallest_chunk, reserved_ / 16);
+void* Arena::allocate(std::size_t size, std::size_t alignment) {
+    void* const memory = try_allocate(size, alignment);
+    if (memory == nullptr)
+        std::abort();
+    return memory;
+}
+
+// In pieces that are copied by a few plain instructions each: a block is too small to be worth what
+// a copy of any size begins with.
+Arena Arena::trimmed() const {
+    constexpr std::size_t piece = 64;
+    Arena copy(used_);
+    copy.used_ = used_;
+    std::byte* const to = copy.block_.get();
+    const std::byte* const from = block_.get();
+    std::size_t at = 0;
+    for (; used_ - at >= piece; at += piece)
+        std::memcpy(to + at, from + at, piece);
+    if (at < used_)
+        std::memcpy(to + at, from + at, used_ - at);
+    return copy;
 }
 
 } // namespace iecfront

@@ -44,7 +44,7 @@ TextRange Unit::range(const ast::Node& node) const noexcept {
 }
 
 std::size_t Unit::memory_bytes() const noexcept {
-    std::size_t bytes = sizeof(Unit) + parts_.arena.reserved_bytes() +
+    std::size_t bytes = sizeof(Unit) + parts_.arena.capacity() +
                         lines_.line_end_count() * sizeof(std::uint32_t) +
                         parts_.diagnostics.capacity() * sizeof(Diagnostic);
     for (const Diagnostic& diagnostic : parts_.diagnostics)

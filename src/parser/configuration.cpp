@@ -92,7 +92,7 @@ const ast::ConfigurationDeclaration* Parser::parse_configuration_declaration() {
     accept_extra_semicolon();
     node->elements = parse_configuration_elements(place_);
     close_block("");
-    check_configuration_order(node->elements, node->first_token, place_);
+    check_configuration_order(node->elements.children(), node->first_token, place_);
     return finish(node);
 }
 
@@ -133,7 +133,7 @@ const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
     accept_extra_semicolon();
     node->elements = parse_configuration_elements(Place::resource);
     close_block("");
-    check_configuration_order(node->elements, node->first_token, Place::resource);
+    check_configuration_order(node->elements.children(), node->first_token, Place::resource);
     finish(node);
     accept_extra_semicolon();
     return node;
@@ -147,7 +147,7 @@ bool Parser::at_resource_without_word() {
 
 // single_resource_declaration = { task_configuration ";" }
 //                               program_configuration ";" { program_configuration ";" } ;
-ast::List<ast::Node> Parser::parse_configuration_elements(Place place) {
+Parser::Children<ast::Node> Parser::parse_configuration_elements(Place place) {
     ListBuilder<ast::Node> elements(*this);
     while (!at_end_of_configuration_elements(place))
         add_in_loop(elements, [&] { return parse_configuration_element(place); });
@@ -263,7 +263,7 @@ void Parser::expect_semicolon_of_configuration() {
 
 /// The order of the parts, that there is a program, and that resources and the contents of a single
 /// one do not stand side by side. When the closing word is missing, parts may be missing with it.
-void Parser::check_configuration_order(const ast::List<ast::Node>& elements, std::uint32_t head,
+void Parser::check_configuration_order(Children<ast::Node> elements, std::uint32_t head,
                                        Place place) {
     const bool unclosed = std::exchange(closer_assumed_, false);
     std::optional<Part> last;

@@ -8,7 +8,7 @@
 namespace iecfront {
 
 Parser::Parser(std::string_view text, std::span<const Token> tokens,
-               std::span<const Diagnostic> lexical, std::uint32_t opener, Arena& arena,
+               std::span<const Diagnostic> lexical, std::uint32_t opener, ParserArena& arena,
                const ParseOptions& options)
     : text_(text),
       tokens_(tokens.data()),
@@ -129,6 +129,13 @@ bool Parser::expect(TokenKind expected) {
 }
 
 // ---- nodes --------------------------------------------------------------------------------------
+
+/// There is no more room: goes to the end of the unit, and takes from the reserve.
+void* Parser::allocate_at_end(std::size_t size, std::size_t alignment) {
+    arena_.open_reserve();
+    at_ = end_ = count_;
+    return arena_.allocate(size, alignment);
+}
 
 bool Parser::NestingGuard::too_deep() const {
     if (parser_.nesting_ <= parser_.options_.maximum_nesting)

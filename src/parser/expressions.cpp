@@ -779,7 +779,7 @@ const ast::Expression* Parser::parse_call(const ast::Expression* callee) {
 }
 
 // param_list = expression { "," expression } | param_assignment { "," param_assignment } ;
-ast::List<ast::Node> Parser::parse_arguments() {
+Parser::Children<ast::Node> Parser::parse_arguments() {
     const bool outer = std::exchange(in_condition_, false);
     const std::size_t reports = diagnostics_.size();
     const std::uint32_t open = advance();
@@ -811,7 +811,7 @@ ast::List<ast::Node> Parser::parse_arguments() {
         accept(TokenKind::right_parenthesis);
     }
     in_condition_ = outer;
-    const ast::List<ast::Node> list = arguments.finish();
+    const Children<ast::Node> list = arguments.finish();
     if (diagnostics_.size() == reports)
         check_arguments(list);
     return list;
@@ -1062,7 +1062,7 @@ bool Parser::is_formal(const ast::Node& argument) noexcept {
 }
 
 /// Formal and non-formal arguments are not mixed (2.5.1.1, Table 19 a).
-void Parser::check_arguments(const ast::List<ast::Node>& arguments) {
+void Parser::check_arguments(Children<ast::Node> arguments) {
     for (const ast::Node* argument : arguments)
         if (is_formal(*argument) != is_formal(*arguments.front())) {
             report_node(*argument, DiagnosticId::mixed_arguments)

@@ -60,7 +60,7 @@ template<typename NameOf>
     if (transition.from->missing || transition.to->missing)
         return false;
     const std::string first = name_of(*transition.from->names.front());
-    for (const ast::Steps* steps : {transition.from, transition.to})
+    for (const ast::Steps* steps : {transition.from.get(), transition.to.get()})
         for (const ast::Identifier* name : steps->names) {
             const std::string step = name_of(*name);
             if (!groups.contains(step))

@@ -15,7 +15,8 @@ constexpr TokenSet argument_marks{TokenKind::assign, TokenKind::output_arrow, To
 
 /// Part of il_fb_call: non-formal arguments in parentheses, from behind the `(` or the first of
 /// them.
-ast::List<ast::Node> Parser::parse_il_arguments(std::uint32_t open, const ast::Expression* first) {
+Parser::Children<ast::Node> Parser::parse_il_arguments(std::uint32_t open,
+                                                       const ast::Expression* first) {
     ListBuilder<ast::Node> arguments(*this);
     const auto add = [&](const ast::Expression* value) {
         auto* argument = make_from<ast::InputArgument>(value);
@@ -37,7 +38,7 @@ ast::List<ast::Node> Parser::parse_il_arguments(std::uint32_t open, const ast::E
             add(parse_next_il_operand());
     }
     --il_parentheses_;
-    const ast::List<ast::Node> list = arguments.finish();
+    const Children<ast::Node> list = arguments.finish();
     check_arguments(list);
     if (at(TokenKind::right_parenthesis)) {
         if (at_line_end())
@@ -155,7 +156,7 @@ void Parser::expect_parenthesis_of_arguments() {
 // il_param_instruction = ( il_param_assignment | il_param_out_assignment ) "," EOL { EOL } ;
 // il_param_last_instruction = ( il_param_assignment | il_param_out_assignment ) EOL { EOL } ;
 /// From behind the `(` at token `open`, or what stands in its place.
-ast::List<ast::Node> Parser::parse_il_param_list(std::uint32_t open, bool function) {
+Parser::Children<ast::Node> Parser::parse_il_param_list(std::uint32_t open, bool function) {
     const bool closed = parenthesis_closes(open);
     MissingLineEnds missing;
     ListBuilder<ast::Node> arguments(*this);
@@ -179,7 +180,7 @@ ast::List<ast::Node> Parser::parse_il_param_list(std::uint32_t open, bool functi
         expect_end_of_argument(missing, closed, diagnostics_.size() != reports);
     }
     close_il_parenthesis(open, missing);
-    const ast::List<ast::Node> list = arguments.finish();
+    const Children<ast::Node> list = arguments.finish();
     check_il_arguments(list, open);
     return list;
 }
@@ -204,7 +205,7 @@ bool Parser::at_stray_parenthesis() const noexcept {
 }
 
 /// Only formal arguments stand on lines of their own.
-void Parser::check_il_arguments(const ast::List<ast::Node>& arguments, std::uint32_t open) {
+void Parser::check_il_arguments(Children<ast::Node> arguments, std::uint32_t open) {
     check_arguments(arguments);
     if (arguments.empty())
         return;

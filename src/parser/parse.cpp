@@ -17,6 +17,7 @@ SyntaxTree refuse(const SourceText& source, const ParseOptions& options, std::ui
     parts.buffer = source.buffer();
     parts.text = source.bytes();
     parts.encoding = source.encoding();
+    parts.arena = Arena(sizeof(ast::LibraryUnit) + sizeof(Trivia));
     parts.root = parts.arena.create<ast::LibraryUnit>();
     const auto size = static_cast<std::uint32_t>(source.bytes().size());
     const Trivia all{{0, size}, TriviaKind::comment};

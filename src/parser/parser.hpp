@@ -2,6 +2,7 @@
 
 #include "lexer/standard_names.hpp"
 #include "parser/keyword_sets.hpp"
+#include "parser/parser_arena.hpp"
 
 #include <iecfront/ast/nodes.hpp>
 #include <iecfront/ast/syntax_tree.hpp>
@@ -10,9 +11,13 @@
 #include <iecfront/lexer/standard_names.hpp>
 #include <iecfront/lexer/token.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,7 +50,7 @@ public:
     /// `tokens` ends in an end_of_unit token, which `opener` is as well when the unit cutter found
     /// none. `lexical` is what the lexer reported, ordered by place. Nodes are made in `arena`.
     Parser(std::string_view text, std::span<const Token> tokens,
-           std::span<const Diagnostic> lexical, std::uint32_t opener, Arena& arena,
+           std::span<const Diagnostic> lexical, std::uint32_t opener, ParserArena& arena,
            const ParseOptions& options);
 
     // ---- library.cpp: B.0
@@ -116,8 +121,16 @@ private:
 
     // ---- cursor.cpp: nodes ----------------------------------------------------------------------
     template<class T>
+    T* create() {
+        void* memory = arena_.try_allocate(sizeof(T), alignof(T));
+        if (memory == nullptr)
+            memory = allocate_at_end(sizeof(T), alignof(T));
+        return ::new (memory) T();
+    }
+    void* allocate_at_end(std::size_t size, std::size_t alignment);
+    template<class T>
     T* make() {
-        T* node = arena_.create<T>();
+        T* node = create<T>();
         node->first_token = at_;
         node->end_token = at_;
         return node;
@@ -125,7 +138,7 @@ private:
     /// A node that begins where `first`, already parsed, does.
     template<class T>
     T* make_from(const ast::Node* first) {
-        T* node = arena_.create<T>();
+        T* node = create<T>();
         node->first_token = first->first_token;
         return node;
     }
@@ -147,6 +160,25 @@ private:
         return node;
     }
 
+    /// What a `List` is made of: children that lie in the arena.
+    template<class T>
+    using Children = std::span<const ast::Child<T>>;
+    /// Room for `count` children, at least one. When there is none, it is for some of them: what is
+    /// made is of no use then.
+    template<class T>
+    std::span<ast::Child<T>> allocate_children(std::size_t count) {
+        constexpr std::size_t size = sizeof(ast::Child<T>);
+        constexpr std::size_t alignment = alignof(ast::Child<T>);
+        void* memory = arena_.full() ? nullptr : arena_.try_allocate(count * size, alignment);
+        if (memory == nullptr) {
+            count = std::min<std::size_t>(count, 16);
+            memory = allocate_at_end(count * size, alignment);
+        }
+        auto* const first = static_cast<ast::Child<T>*>(memory);
+        std::uninitialized_default_construct_n(first, count);
+        return {first, count};
+    }
+
     /// Collects children on a common stack, so that only finished lists take memory.
     template<class T>
     class ListBuilder {
@@ -163,15 +195,13 @@ private:
         void add(const T* node) { parser_.pending_.push_back(node); }
         [[nodiscard]] bool empty() const noexcept { return parser_.pending_.size() == begin_; }
         [[nodiscard]] std::size_t size() const noexcept { return parser_.pending_.size() - begin_; }
-        [[nodiscard]] ast::List<T> finish() {
-            const std::size_t count = size();
-            if (count == 0)
+        [[nodiscard]] Children<T> finish() {
+            if (empty())
                 return {};
-            auto* data = static_cast<const T**>(
-                parser_.arena_.allocate(count * sizeof(const T*), alignof(const T*)));
-            for (std::size_t i = 0; i < count; ++i)
-                data[i] = static_cast<const T*>(parser_.pending_[begin_ + i]);
-            return {data, static_cast<std::uint32_t>(count)};
+            const std::span<ast::Child<T>> children = parser_.allocate_children<T>(size());
+            for (std::size_t i = 0; i < children.size(); ++i)
+                children[i] = static_cast<const T*>(parser_.pending_[begin_ + i]);
+            return children;
         }
 
     private:
@@ -193,10 +223,16 @@ private:
     /// Counts nesting; it is `too_deep()` beyond the limit, which is then reported once.
     class NestingGuard {
     public:
-        explicit NestingGuard(Parser& parser) noexcept : parser_(parser) { ++parser_.nesting_; }
+        explicit NestingGuard(Parser& parser) noexcept : parser_(parser) {
+            ++parser_.nesting_;
+            parser_.arena_.enter_level();
+        }
         NestingGuard(const NestingGuard&) = delete;
         NestingGuard& operator=(const NestingGuard&) = delete;
-        ~NestingGuard() { --parser_.nesting_; }
+        ~NestingGuard() {
+            --parser_.nesting_;
+            parser_.arena_.leave_level();
+        }
         [[nodiscard]] bool too_deep() const;
 
     private:
@@ -383,12 +419,12 @@ private:
     void take_semicolon_for_comma(std::optional<Report>& first);
     [[nodiscard]] bool list_closes_on_line(TokenKind bracket) const noexcept;
     const ast::TypeSpecification* parse_enumerated_specification();
-    ast::List<ast::EnumeratedValueDeclaration> parse_enumerated_value_list();
+    Children<ast::EnumeratedValueDeclaration> parse_enumerated_value_list();
     const ast::TypeSpecification* parse_enumeration_of(const ast::TypeSpecification* base);
     const ast::EnumeratedValueDeclaration* parse_enumerated_value_declaration();
     [[nodiscard]] bool at_initial_value_behind_open_list() const noexcept;
     const ast::TypeSpecification* parse_array_specification();
-    ast::List<ast::Subrange> parse_subranges();
+    Children<ast::Subrange> parse_subranges();
     bool accept_comma_look_alike();
     const ast::TypeSpecification* parse_structure_declaration();
     const ast::Node* parse_structure_element_declaration();
@@ -466,7 +502,7 @@ private:
     const ast::FunctionDeclaration* parse_function_declaration();
     const ast::FunctionBlockDeclaration* parse_function_block_declaration();
     const ast::ProgramDeclaration* parse_program_declaration();
-    ast::List<ast::VariableDeclarations> parse_declaration_blocks(Place place);
+    Children<ast::VariableDeclarations> parse_declaration_blocks(Place place);
     [[nodiscard]] bool at_type_before_name() const noexcept;
     const ast::Identifier* parse_unit_name(std::string_view what);
     [[nodiscard]] bool at_keyword_for_unit_name();
@@ -505,7 +541,7 @@ private:
     const ast::SkippedText* skip_text_in_chart();
     void expect_colon_of_chart();
     const ast::Step* parse_step(TokenKind opener);
-    ast::List<ast::ActionAssociation> parse_action_associations();
+    Children<ast::ActionAssociation> parse_action_associations();
     [[nodiscard]] bool at_element_in_step();
     const ast::ActionAssociation* parse_action_association();
     bool expect_qualifier_parenthesis();
@@ -546,11 +582,10 @@ private:
     [[nodiscard]] bool at_resource_without_word();
     bool accept_with();
     bool accept_output_arrow();
-    ast::List<ast::Node> parse_configuration_elements(Place place);
+    Children<ast::Node> parse_configuration_elements(Place place);
     [[nodiscard]] bool at_end_of_configuration_elements(Place place);
     const ast::Node* parse_configuration_element(Place place);
-    void check_configuration_order(const ast::List<ast::Node>& elements, std::uint32_t head,
-                                   Place place);
+    void check_configuration_order(Children<ast::Node> elements, std::uint32_t head, Place place);
     void expect_semicolon_of_configuration();
     const ast::Expression* parse_access_path(Place place);
     void check_element_type_of_access(const ast::TypeSpecification& type);
@@ -606,10 +641,10 @@ private:
     const ast::Expression* parse_call(const ast::Expression* callee);
     [[nodiscard]] bool has_no_parts(const ast::Expression& variable) const noexcept;
     void check_has_parts(const ast::Expression& variable);
-    ast::List<ast::Node> parse_arguments();
+    Children<ast::Node> parse_arguments();
     const ast::Node* parse_argument(std::uint32_t open);
     [[nodiscard]] static bool is_formal(const ast::Node& argument) noexcept;
-    void check_arguments(const ast::List<ast::Node>& arguments);
+    void check_arguments(Children<ast::Node> arguments);
     const ast::Expression* parse_missing_expression();
     [[nodiscard]] bool at_assignment_on_new_line() const noexcept;
     [[nodiscard]] bool statement_ends(std::uint32_t i) const noexcept;
@@ -815,15 +850,15 @@ private:
     void skip_line();
 
     // ---- instruction_arguments.cpp: B.2.1, what stands in the parentheses of a call
-    ast::List<ast::Node> parse_il_arguments(std::uint32_t open, const ast::Expression* first);
+    Children<ast::Node> parse_il_arguments(std::uint32_t open, const ast::Expression* first);
     void expect_parenthesis_of_arguments();
     [[nodiscard]] bool argument_lines_follow(std::uint32_t index) const noexcept;
     [[nodiscard]] bool statement_begins_in_parentheses(std::uint32_t open) const noexcept;
     [[nodiscard]] bool at_argument_lines() const noexcept;
     [[nodiscard]] bool has_mark_on_line(std::uint32_t index) const noexcept;
     [[nodiscard]] bool opens_line(std::uint32_t index) const noexcept;
-    ast::List<ast::Node> parse_il_param_list(std::uint32_t open, bool function);
-    void check_il_arguments(const ast::List<ast::Node>& arguments, std::uint32_t open);
+    Children<ast::Node> parse_il_param_list(std::uint32_t open, bool function);
+    void check_il_arguments(Children<ast::Node> arguments, std::uint32_t open);
     void expect_end_of_argument(MissingLineEnds& missing, bool closed, bool reported);
     void report_parenthesis_for_comma();
     void drop_intruder(std::string_view expected);
@@ -913,7 +948,7 @@ private:
     std::uint32_t skipped_parentheses_ = 0;   // opened in lines of IL that were passed over
     Place place_ = Place::library;            // whose declarations and body are being read
 
-    Arena& arena_;
+    ParserArena& arena_;
     const ParseOptions& options_;
     std::vector<const ast::Node*> pending_;
     std::vector<Diagnostic> diagnostics_;

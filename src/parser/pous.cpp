@@ -200,7 +200,7 @@ const ast::ProgramDeclaration* Parser::parse_program_declaration() {
 // other_var_declarations = external_var_declarations | var_declarations
 //                        | retentive_var_declarations | non_retentive_var_decls
 //                        | temp_var_decls | incompl_located_var_declarations ;
-ast::List<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place place) {
+Parser::Children<ast::VariableDeclarations> Parser::parse_declaration_blocks(Place place) {
     ListBuilder<ast::VariableDeclarations> blocks(*this);
     for (;;) {
         if (at(block_openers) || at_declarations_without_opener()) {

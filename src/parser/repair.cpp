@@ -154,14 +154,16 @@ bool is_about_closing_word(const Diagnostic& report) noexcept {
 
 class RepairFinder {
 public:
-    RepairFinder(const ParserInput& input, const std::vector<Diagnostic>& reports)
+    RepairFinder(const ParserInput& input, const std::vector<Diagnostic>& reports,
+                 ParserArena& arena)
         : input_(input),
           reports_(reports),
+          arena_(arena),
           tokens_(input.tokens.begin(), input.tokens.end()),
           to_read_(readings * input.tokens.size()),
           fewest_(reports.size() - 1) {}
 
-    [[nodiscard]] std::optional<Reading> find(Arena& arena) {
+    [[nodiscard]] std::optional<Reading> find(std::size_t kept) {
         const auto fault =
             std::find_if(reports_.begin(), reports_.end(), [](const Diagnostic& one) {
                 return is_about_token(one) || is_about_closing_word(one);
@@ -192,7 +194,8 @@ public:
                     attempt({token, meant});
         if (!best_)
             return std::nullopt;
-        std::optional<Reading> reading = read_with(*best_, arena);
+        arena_.rewind(kept);
+        std::optional<Reading> reading = read_with(*best_);
         if (reading)
             reading->reports.push_back(report_of(*best_));
         return reading;
@@ -219,8 +222,9 @@ private:
     void attempt(const Change& change) {
         if (fewest_ == 0 || to_read_ == 0 || !is_possible(change))
             return;
-        Arena arena;
-        const std::optional<Reading> reading = read_with(change, arena);
+        const std::size_t used = arena_.used();
+        const std::optional<Reading> reading = read_with(change);
+        arena_.rewind(used);
         if (reading && reading->reports.size() < fewest_) {
             best_ = change;
             fewest_ = reading->reports.size();
@@ -296,10 +300,10 @@ private:
 
     /// What is read after a change; nothing when anything is reported that is not expected, or not
     /// reported that does not depend on it.
-    [[nodiscard]] std::optional<Reading> read_with(const Change& change, Arena& arena) {
+    [[nodiscard]] std::optional<Reading> read_with(const Change& change) {
         const std::array before = {tokens_[change.token], tokens_[change.token + 1]};
         apply(change);
-        Parser parser(input_.text, tokens_, input_.lexical, input_.opener, arena, input_.options);
+        Parser parser(input_.text, tokens_, input_.lexical, input_.opener, arena_, input_.options);
         parser.expect_reports(expected_);
         Reading reading{parser.parse_fragment(input_.options.read_as), parser.take_diagnostics()};
         std::copy(before.begin(), before.end(),
@@ -374,6 +378,7 @@ private:
 
     const ParserInput& input_;
     const std::vector<Diagnostic>& reports_;
+    ParserArena& arena_;
     std::vector<Diagnostic> expected_; // when the fault is repaired
     std::vector<Token> tokens_;
     std::size_t to_read_; // so many tokens, at most
@@ -384,10 +389,10 @@ private:
 } // namespace
 
 std::optional<Reading> repair(const ParserInput& input, const std::vector<Diagnostic>& reports,
-                              Arena& arena) {
+                              ParserArena& arena, std::size_t kept) {
     if (reports.size() < 2 || reports.size() > most_reports)
         return std::nullopt;
-    return RepairFinder(input, reports).find(arena);
+    return RepairFinder(input, reports, arena).find(kept);
 }
 
 } // namespace iecfront

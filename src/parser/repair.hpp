@@ -1,11 +1,13 @@
 #pragma once
 
+#include "parser/parser_arena.hpp"
+
 #include <iecfront/ast/nodes.hpp>
 #include <iecfront/ast/syntax_tree.hpp>
-#include <iecfront/ast/unit.hpp>
 #include <iecfront/diagnostics/diagnostic.hpp>
 #include <iecfront/lexer/token.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -32,8 +34,9 @@ struct Reading {
 /// Looks for a token that explains several of `reports`, which the parser made, at once: when it is
 /// passed over or taken for another one, they are not made, and no new one. Gives what is read
 /// then, with a report about that token, and nothing when there is no such token. Makes nodes in
-/// `arena`.
+/// `arena`, of which what is used beyond `kept` bytes is that of the reading before.
 [[nodiscard]] std::optional<Reading> repair(const ParserInput& input,
-                                            const std::vector<Diagnostic>& reports, Arena& arena);
+                                            const std::vector<Diagnostic>& reports,
+                                            ParserArena& arena, std::size_t kept);
 
 } // namespace iecfront

@@ -285,7 +285,7 @@ const ast::Step* Parser::parse_step(TokenKind opener) {
 }
 
 // Part of step: { action_association ";" }
-ast::List<ast::ActionAssociation> Parser::parse_action_associations() {
+Parser::Children<ast::ActionAssociation> Parser::parse_action_associations() {
     ListBuilder<ast::ActionAssociation> associations(*this);
     while (!at_end_of_chart_element() || at_element_in_step()) {
         if (at_element_in_step()) {

@@ -708,8 +708,8 @@ void Parser::expect_assign() {
 // fb_invocation = fb_name "(" [ param_list ] ")" ;
 const ast::Statement* Parser::make_invocation(const ast::FunctionCall& call) {
     auto* node = make_from<ast::FbInvocation>(&call);
-    node->fb_name = call.function;
-    node->arguments = call.arguments;
+    node->fb_name = call.function.get();
+    node->arguments = call.arguments.children();
     finish(node);
     if (call.function->kind == ast::NodeKind::dereferenced_variable)
         return node; // which was reported

@@ -447,7 +447,7 @@ const ast::TypeSpecification* Parser::parse_enumerated_specification() {
 }
 
 // Part of enumerated_specification: "(" enumerated_value { "," enumerated_value } ")"
-ast::List<ast::EnumeratedValueDeclaration> Parser::parse_enumerated_value_list() {
+Parser::Children<ast::EnumeratedValueDeclaration> Parser::parse_enumerated_value_list() {
     advance();
     ListBuilder<ast::EnumeratedValueDeclaration> values(*this);
     std::optional<Report> semicolons;
@@ -540,7 +540,7 @@ const ast::TypeSpecification* Parser::parse_array_specification() {
 }
 
 // Part of array_specification: "[" subrange { "," subrange } "]"
-ast::List<ast::Subrange> Parser::parse_subranges() {
+Parser::Children<ast::Subrange> Parser::parse_subranges() {
     const std::optional<Report> parentheses = accept_parenthesis_for_bracket();
     if (!parentheses)
         expect(TokenKind::left_bracket);

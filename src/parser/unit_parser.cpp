@@ -17,9 +17,8 @@ namespace {
 /// Tokens that are read at a time: as many as fit the nearest caches, and some units.
 constexpr std::size_t tokens_at_a_time = 2048;
 
-/// Of arena for the tokens and nodes of a unit: less than most source needs, as what is left of the
-/// first chunk is lost, while some more chunks cost little.
-constexpr std::size_t bytes_per_token = 24;
+/// Of arena for each token of a unit: enough for most source.
+constexpr std::size_t bytes_per_token = 32;
 
 /// True when a diagnostic of the lexer at `range` concerns what stands before `end`, where a unit
 /// ends. An empty range marks the place behind a token where something is missing.
@@ -47,15 +46,14 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
 }
 
 /// Makes the tree. Where a single token is out of place, it is that of the repaired text.
-void parse_tokens(const ParserInput& input, Unit::Parts& parts) {
-    Parser parser(input.text, input.tokens, input.lexical, input.opener, parts.arena,
-                  input.options);
+[[nodiscard]] Reading read(const ParserInput& input, ParserArena& arena) {
+    const std::size_t kept = arena.used();
+    Parser parser(input.text, input.tokens, input.lexical, input.opener, arena, input.options);
     Reading reading{parser.parse_fragment(input.options.read_as), {}};
     reading.reports = parser.take_diagnostics();
-    if (std::optional<Reading> repaired = repair(input, reading.reports, parts.arena))
+    if (std::optional<Reading> repaired = repair(input, reading.reports, arena, kept))
         reading = std::move(*repaired);
-    parts.root = reading.root;
-    std::ranges::move(reading.reports, std::back_inserter(parts.diagnostics));
+    return reading;
 }
 
 [[nodiscard]] bool holds_line_end(std::string_view text) noexcept {
@@ -176,41 +174,67 @@ std::shared_ptr<const Unit> UnitReader::parse(std::shared_ptr<const std::string>
     parts.encoding = encoding_;
     parts.text = text;
     parts.depends_on_rest = depends_on_rest();
-    parts.arena = Arena((tokens().size() + 2) * bytes_per_token);
-    const std::span<const Token> tokens = copy_tokens(parts.arena);
-    parts.tokens = tokens.first(tokens.size() - 1);
-    parts.trivia = copy_trivia(parts.arena);
     parts.diagnostics = take_diagnostics();
     if (auto broken = check_encoding(parts.text, parts.encoding))
         parts.diagnostics.push_back(std::move(*broken));
-    if (longest_ > options_.maximum_identifier_length)
-        report_long_identifier(parts.tokens, options_.maximum_identifier_length, parts.diagnostics);
-    sort_by_place(parts.diagnostics);
-
-    parse_tokens({parts.text, tokens, parts.diagnostics, opener(), options_}, parts);
+    make_room();
+    while (!parse_in_room(parts))
+        room_ = ParserArena(2 * room_.capacity());
     sort_by_place(parts.diagnostics);
     return std::make_shared<const Unit>(std::move(parts));
 }
 
+/// For what most units of so many tokens need.
+void UnitReader::make_room() {
+    const std::size_t usual = (tokens().size() + 1) * bytes_per_token + trivia().size_bytes() +
+                              ParserArena::usual_reserve;
+    if (room_.capacity() < usual)
+        room_ = ParserArena(usual);
+}
+
+/// False when there is not enough of it.
+bool UnitReader::parse_in_room(Unit::Parts& parts) {
+    room_.clear();
+    const std::span<const Token> tokens = copy_tokens();
+    const std::span<const Trivia> trivia = copy_trivia();
+    std::vector<Diagnostic> lexical = parts.diagnostics;
+    if (lengths_ > options_.maximum_identifier_length)
+        report_long_identifier(tokens, options_.maximum_identifier_length, lexical);
+    sort_by_place(lexical);
+    Reading reading = read({parts.text, tokens, lexical, opener(), options_}, room_);
+    if (room_.full())
+        return false;
+    std::ranges::move(reading.reports, std::back_inserter(lexical));
+    parts.diagnostics = std::move(lexical);
+    parts.arena = room_.trimmed();
+    parts.tokens = {parts.arena.counterpart(tokens.data(), room_), tokens.size() - 1};
+    if (!trivia.empty())
+        parts.trivia = {parts.arena.counterpart(trivia.data(), room_), trivia.size()};
+    parts.root = parts.arena.counterpart(reading.root, room_);
+    return true;
+}
+
 /// With end_of_unit behind them.
-std::span<const Token> UnitReader::copy_tokens(Arena& arena) {
+std::span<const Token> UnitReader::copy_tokens() {
     const std::span<const Token> from = tokens();
     auto* const to =
-        static_cast<Token*>(arena.allocate((from.size() + 1) * sizeof(Token), alignof(Token)));
-    longest_ = 0;
+        static_cast<Token*>(room_.allocate((from.size() + 1) * sizeof(Token), alignof(Token)));
+    const std::uint32_t begin = begin_;
+    std::uint32_t lengths = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {
-        to[i] = from[i].moved_back(begin_);
-        longest_ = std::max(longest_, to[i].length());
+        to[i] = from[i].moved_back(begin);
+        lengths |= to[i].length();
     }
-    to[from.size()] = Token(TokenKind::end_of_unit, end_ - begin_, 0, true);
+    lengths_ = lengths;
+    to[from.size()] = Token(TokenKind::end_of_unit, end_ - begin, 0, true);
     return {to, from.size() + 1};
 }
 
-std::span<const Trivia> UnitReader::copy_trivia(Arena& arena) const {
+std::span<const Trivia> UnitReader::copy_trivia() {
     const std::span<const Trivia> from = trivia();
     if (from.empty())
         return {};
-    auto* const to = static_cast<Trivia*>(arena.allocate(from.size_bytes(), alignof(Trivia)));
+    auto* const to = static_cast<Trivia*>(room_.allocate(from.size_bytes(), alignof(Trivia)));
     for (std::size_t i = 0; i < from.size(); ++i)
         to[i] = {{from[i].range.begin - begin_, from[i].range.end - begin_}, from[i].kind};
     return {to, from.size()};

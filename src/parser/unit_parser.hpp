@@ -2,6 +2,7 @@
 
 #include "lexer/lexer.hpp"
 #include "lexer/unit_cutter.hpp"
+#include "parser/parser_arena.hpp"
 
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/ast/unit.hpp>
@@ -62,8 +63,10 @@ private:
     [[nodiscard]] std::uint32_t end_of_cut() const noexcept;
     [[nodiscard]] std::shared_ptr<const Unit> parse(std::shared_ptr<const std::string> buffer,
                                                     std::string_view text);
-    [[nodiscard]] std::span<const Token> copy_tokens(Arena& arena);
-    [[nodiscard]] std::span<const Trivia> copy_trivia(Arena& arena) const;
+    void make_room();
+    [[nodiscard]] bool parse_in_room(Unit::Parts& parts);
+    [[nodiscard]] std::span<const Token> copy_tokens();
+    [[nodiscard]] std::span<const Trivia> copy_trivia();
     [[nodiscard]] std::vector<Diagnostic> take_diagnostics();
 
     std::shared_ptr<const std::string> buffer_;
@@ -84,7 +87,8 @@ private:
     std::size_t diagnostic_end_ = 0;
     std::size_t open_end_ = 0;
     std::size_t open_end_end_ = 0;
-    std::uint32_t longest_ = 0; // token, when they were copied
+    ParserArena room_;          // where units are made, one after the other
+    std::uint32_t lengths_ = 0; // of the tokens when they were copied, their bits put together
 };
 
 } // namespace iecfront

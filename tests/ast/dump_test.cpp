@@ -54,8 +54,9 @@ TEST(SExpression, LeavesOutWhatIsNotThere) {
     TreeBuilder builder("PROGRAM p END_PROGRAM");
     auto* program = builder.node<ProgramDeclaration>(0, 3);
     program->name = builder.leaf<Identifier>(1);
-    program->body = builder.node<StatementList>(2, 2);
-    const_cast<Body*>(program->body)->missing = false;
+    auto* body = builder.node<StatementList>(2, 2);
+    body->missing = false;
+    program->body = body;
     EXPECT_EQ(s_expression(*builder.unit(), *program),
               R"((program_declaration name:"p" body:(statement_list)))");
 }

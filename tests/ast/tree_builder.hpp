@@ -47,9 +47,15 @@ public:
     }
 
     template<class T>
-    ast::List<T> list(const std::vector<const T*>& items) {
-        const auto copy = parts_.arena.copy(std::span<const T* const>(items));
-        return {copy.data(), static_cast<std::uint32_t>(copy.size())};
+    std::span<const ast::Child<T>> list(const std::vector<const T*>& items) {
+        const std::span<ast::Child<T>> children{
+            static_cast<ast::Child<T>*>(parts_.arena.allocate(
+                items.size() * sizeof(ast::Child<T>) + 1, alignof(ast::Child<T>))),
+            items.size()};
+        std::uninitialized_default_construct(children.begin(), children.end());
+        for (std::size_t i = 0; i < items.size(); ++i)
+            children[i] = items[i];
+        return children;
     }
 
     void add(Diagnostic diagnostic) { parts_.diagnostics.push_back(std::move(diagnostic)); }
@@ -68,6 +74,7 @@ private:
     static bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r'; }
 
     void cut_words() {
+        parts_.arena = Arena(1U << 26U); // more than any test needs
         std::vector<Token> tokens;
         const std::string_view text = parts_.text;
         for (std::size_t begin = 0; begin < text.size(); ++begin) {

@@ -1,50 +1,52 @@
 #pragma once
 
-#include <iecfront/ast/node.hpp>
 #include <iecfront/export.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <new>
 #include <span>
 #include <type_traits>
-#include <vector>
 
 namespace iecfront {
 
-/// Memory that is given out piece by piece and released as a whole. Holds the tokens and nodes of a
-/// unit; nothing in it is ever destroyed, so only trivially destructible types may live there.
+/// A block of memory that is given out piece by piece and released as a whole. Holds the tokens and
+/// nodes of a unit; nothing in it is ever destroyed, so only trivially destructible types may live
+/// there. What is in it refers to each other by distances (`ast::RelativePointer`), so that a copy
+/// of the block is a copy of all.
 class IECFRONT_API Arena {
 public:
+    /// One without room.
     Arena() = default;
-    /// Gets its first chunk, of `first_chunk` bytes, at the first allocation.
-    explicit Arena(std::size_t first_chunk) noexcept : next_chunk_(first_chunk) {}
-    /// Takes over all memory; `other` is then a new arena.
+    /// One of `capacity` bytes.
+    explicit Arena(std::size_t capacity);
+    /// Takes over all memory; `other` is then an arena without room.
     Arena(Arena&& other) noexcept;
     Arena& operator=(Arena&& other) noexcept;
+    ~Arena() = default;
 
     /// Memory for `size` bytes, at least one, aligned to `alignment` (a power of two, at most that
-    /// of `std::max_align_t`). Never null; running out of memory ends the program, as `new` does.
-    [[nodiscard]] void* allocate(std::size_t size, std::size_t alignment) {
-        std::size_t begin = (used_ + alignment - 1) & ~(alignment - 1);
-        if (begin + size > capacity_) {
-            grow(size);
-            begin = 0;
-        }
+    /// of `std::max_align_t`); null when there is no room for them.
+    [[nodiscard]] void* try_allocate(std::size_t size, std::size_t alignment) noexcept {
+        const std::size_t begin = (used_ + alignment - 1) & ~(alignment - 1);
+        if (begin + size > limit_)
+            return nullptr;
         used_ = begin + size;
-        return chunk_ + begin;
+        return block_.get() + begin;
     }
+    /// The same where there must be room: ends the program otherwise, as running out of memory
+    /// does.
+    [[nodiscard]] void* allocate(std::size_t size, std::size_t alignment);
 
-    /// A new node or other value.
+    /// A new node or other value; there must be room.
     template<class T>
     [[nodiscard]] T* create() {
         static_assert(std::is_trivially_destructible_v<T>);
         return ::new (allocate(sizeof(T), alignof(T))) T();
     }
 
-    /// A copy of `items`.
+    /// A copy of `items`; there must be room.
     template<class T>
     [[nodiscard]] std::span<const T> copy(std::span<const T> items) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -55,18 +57,28 @@ public:
         return {data, items.size()};
     }
 
-    /// Bytes taken from the system.
-    [[nodiscard]] std::size_t reserved_bytes() const noexcept { return reserved_; }
+    /// Bytes of the block, and how many of them were given out.
+    [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
+    [[nodiscard]] std::size_t used() const noexcept { return used_; }
+    /// Takes back what was given out behind the first `used` bytes.
+    void rewind(std::size_t used) noexcept { used_ = used; }
+
+    /// A block that is just large enough for what was given out, with a copy of it.
+    [[nodiscard]] Arena trimmed() const;
+    /// What lies in this arena, of which `other` is a copy, where `place` lies in that.
+    template<class T>
+    [[nodiscard]] const T* counterpart(const T* place, const Arena& other) const noexcept {
+        return reinterpret_cast<const T*>(
+            block_.get() + (reinterpret_cast<const std::byte*>(place) - other.block_.get()));
+    }
+
+protected:
+    std::size_t limit_ = 0; ///< how many bytes can be given out
 
 private:
-    void grow(std::size_t at_least);
-
-    std::vector<std::unique_ptr<std::byte[]>> chunks_;
-    std::byte* chunk_ = nullptr; // the last of chunks_
-    std::size_t used_ = 0;       // of chunk_
-    std::size_t capacity_ = 0;   // of chunk_
-    std::size_t next_chunk_ = 1024;
-    std::size_t reserved_ = 0;
+    std::unique_ptr<std::byte[]> block_;
+    std::size_t capacity_ = 0;
+    std::size_t used_ = 0;
 };
 
 } // namespace iecfront

@@ -16,7 +16,7 @@ struct TaskInitialization;
 struct ConfigurationDeclaration : LibraryElement {
     static constexpr NodeKind node_kind = NodeKind::configuration_declaration;
     ConfigurationDeclaration() noexcept : LibraryElement(node_kind) {}
-    const Identifier* name = nullptr;
+    Child<Identifier> name;
     /// `VariableDeclarations`, `ResourceDeclaration`, or the `TaskConfiguration` and
     /// `ProgramConfiguration` of a single resource; `SkippedText`
     List<Node> elements;
@@ -31,8 +31,8 @@ struct ConfigurationDeclaration : LibraryElement {
 struct ResourceDeclaration : Node {
     static constexpr NodeKind node_kind = NodeKind::resource_declaration;
     ResourceDeclaration() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr;
-    const Identifier* type = nullptr;
+    Child<Identifier> name;
+    Child<Identifier> type;
     /// `VariableDeclarations`, `TaskConfiguration`, `ProgramConfiguration`, `SkippedText`
     List<Node> elements;
 
@@ -47,7 +47,7 @@ struct ResourceDeclaration : Node {
 struct TaskConfiguration : Node {
     static constexpr NodeKind node_kind = NodeKind::task_configuration;
     TaskConfiguration() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr;
+    Child<Identifier> name;
     List<TaskInitialization> initializations;
 
     static constexpr auto members() {
@@ -61,8 +61,8 @@ struct TaskConfiguration : Node {
 struct TaskInitialization : Node {
     static constexpr NodeKind node_kind = NodeKind::task_initialization;
     TaskInitialization() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr; ///< SINGLE, INTERVAL or PRIORITY
-    const Expression* value = nullptr;
+    Child<Identifier> name; ///< SINGLE, INTERVAL or PRIORITY
+    Child<Expression> value;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &TaskInitialization::name},
@@ -75,9 +75,9 @@ struct ProgramConfiguration : Node {
     static constexpr NodeKind node_kind = NodeKind::program_configuration;
     ProgramConfiguration() noexcept : Node(node_kind) {}
     BlockQualifier qualifier = BlockQualifier::none; ///< RETAIN or NON_RETAIN
-    const Identifier* name = nullptr;
-    const Identifier* task = nullptr; ///< null when not given
-    const Identifier* type = nullptr;
+    Child<Identifier> name;
+    Child<Identifier> task; ///< null when not given
+    Child<Identifier> type;
     List<Node> elements; ///< `FbTask` or `ProgCnxn`
 
     static constexpr auto members() {
@@ -93,8 +93,8 @@ struct ProgramConfiguration : Node {
 struct FbTask : Node {
     static constexpr NodeKind node_kind = NodeKind::fb_task;
     FbTask() noexcept : Node(node_kind) {}
-    const Expression* fb_name = nullptr;
-    const Identifier* task = nullptr;
+    Child<Expression> fb_name;
+    Child<Identifier> task;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"fb_name", &FbTask::fb_name},
@@ -107,8 +107,8 @@ struct ProgCnxn : Node {
     static constexpr NodeKind node_kind = NodeKind::prog_cnxn;
     ProgCnxn() noexcept : Node(node_kind) {}
     bool output = false; ///< `=>`
-    const Expression* variable = nullptr;
-    const Expression* operand = nullptr; ///< the source, or the sink
+    Child<Expression> variable;
+    Child<Expression> operand; ///< the source, or the sink
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"output", &ProgCnxn::output},

@@ -76,8 +76,8 @@ struct InstructionList : Body {
 struct IlInstruction : Node {
     static constexpr NodeKind node_kind = NodeKind::il_instruction;
     IlInstruction() noexcept : Node(node_kind) {}
-    const Identifier* label = nullptr;      ///< null when not given
-    const IlOperation* operation = nullptr; ///< null for a label alone
+    Child<Identifier> label;      ///< null when not given
+    Child<IlOperation> operation; ///< null for a label alone
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"label", &IlInstruction::label},
@@ -92,7 +92,7 @@ struct IlSimpleOperation : IlOperation {
     IlSimpleOperation() noexcept : IlOperation(node_kind) {}
     IlOperator op = IlOperator::none; ///< none for a function
     IlModifier modifier = IlModifier::none;
-    const Identifier* function_name = nullptr; ///< null for an operator
+    Child<Identifier> function_name; ///< null for an operator
     List<Expression> operands;
 
     static constexpr auto members() {
@@ -109,8 +109,8 @@ struct IlExpression : IlOperation {
     IlExpression() noexcept : IlOperation(node_kind) {}
     IlOperator op = IlOperator::none;
     IlModifier modifier = IlModifier::none;
-    const Expression* operand = nullptr;           ///< null when not given
-    const InstructionList* instructions = nullptr; ///< empty when there are none
+    Child<Expression> operand;           ///< null when not given
+    Child<InstructionList> instructions; ///< empty when there are none
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"op", &IlExpression::op},
@@ -125,7 +125,7 @@ struct IlJumpOperation : IlOperation {
     static constexpr NodeKind node_kind = NodeKind::il_jump_operation;
     IlJumpOperation() noexcept : IlOperation(node_kind) {}
     IlModifier modifier = IlModifier::none;
-    const Identifier* label = nullptr;
+    Child<Identifier> label;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"modifier", &IlJumpOperation::modifier},
@@ -138,8 +138,8 @@ struct IlFbCall : IlOperation {
     static constexpr NodeKind node_kind = NodeKind::il_fb_call;
     IlFbCall() noexcept : IlOperation(node_kind) {}
     IlModifier modifier = IlModifier::none;
-    const Expression* fb_name = nullptr; ///< `VariableName`; anything else is an extension
-    List<Node> arguments;                ///< `InputArgument` or `OutputArgument`
+    Child<Expression> fb_name; ///< `VariableName`; anything else is an extension
+    List<Node> arguments;      ///< `InputArgument` or `OutputArgument`
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"modifier", &IlFbCall::modifier},
@@ -152,7 +152,7 @@ struct IlFbCall : IlOperation {
 struct IlFormalFunctCall : IlOperation {
     static constexpr NodeKind node_kind = NodeKind::il_formal_funct_call;
     IlFormalFunctCall() noexcept : IlOperation(node_kind) {}
-    const Identifier* function_name = nullptr;
+    Child<Identifier> function_name;
     List<Node> arguments; ///< `InputArgument` or `OutputArgument`
 
     static constexpr auto members() {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <iecfront/ast/relative_pointer.hpp>
 #include <iecfront/export.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -12,7 +14,7 @@
 /// The syntax tree: typed nodes, one struct a kind, grouped as Annex B groups the productions.
 ///
 /// Nodes are immutable values in the arena of a `Unit`: they live as long as it does, are never
-/// copied, and are free of virtual functions. A member pointer is null only where the grammar says
+/// copied, and are free of virtual functions. A `Child` is null only where the grammar says
 /// optional and the part is not there; in the place of something mandatory that is missing stands
 /// an `Error...` node or an `Identifier` that is `missing`.
 namespace iecfront::ast {
@@ -38,10 +40,10 @@ inline constexpr std::size_t node_kind_count =
 /// A node without tokens (a missing name, an empty list) has `first_token == end_token`: it stands
 /// directly before token `first_token`.
 struct Node {
-    NodeKind kind;
-    bool missing = false;          ///< nothing in the source stands for this mandatory node
     std::uint32_t first_token = 0; ///< index in `Unit::tokens()`
     std::uint32_t end_token = 0;   ///< one past the last token
+    NodeKind kind;
+    bool missing = false; ///< nothing in the source stands for this mandatory node
 
     Node(const Node&) = delete;
     Node& operator=(const Node&) = delete;
@@ -105,28 +107,85 @@ protected:
     using Node::Node;
 };
 
-/// Child nodes in source order. Never null inside; lives in the unit's arena.
+/// One child of a node: used like a `const T*`, but `auto` would try to copy it; say
+/// `const auto* x = y.child.get()`.
+template<class T>
+using Child = RelativePointer<T>;
+
+/// Child nodes in source order. Never null inside; lives in its node, and cannot be copied.
 template<class T>
 class List {
 public:
-    constexpr List() = default;
-    constexpr List(const T* const* data, std::uint32_t size) noexcept : data_(data), size_(size) {}
+    /// Goes through pointers to children, for `for (const T* child : list)`.
+    class iterator {
+    public:
+        using value_type = const T*;
+        using difference_type = std::ptrdiff_t;
+        using iterator_category = std::input_iterator_tag;
+        using iterator_concept = std::random_access_iterator_tag;
 
-    /// Pointers to children, for `for (const T* child : list)`.
-    [[nodiscard]] constexpr const T* const* begin() const noexcept { return data_; }
-    [[nodiscard]] constexpr const T* const* end() const noexcept { return data_ + size_; }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
-    [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+        constexpr iterator() = default;
+        constexpr explicit iterator(const Child<T>* child) noexcept : child_(child) {}
+
+        [[nodiscard]] const T* operator*() const noexcept { return child_->get(); }
+        [[nodiscard]] const T* operator[](difference_type n) const noexcept {
+            return child_[n].get();
+        }
+        constexpr iterator& operator+=(difference_type n) noexcept {
+            child_ += n;
+            return *this;
+        }
+        constexpr iterator& operator-=(difference_type n) noexcept { return *this += -n; }
+        constexpr iterator& operator++() noexcept { return *this += 1; }
+        constexpr iterator& operator--() noexcept { return *this -= 1; }
+        constexpr iterator operator++(int) noexcept { return iterator(child_++); }
+        constexpr iterator operator--(int) noexcept { return iterator(child_--); }
+        [[nodiscard]] friend constexpr iterator operator+(iterator i, difference_type n) noexcept {
+            return i += n;
+        }
+        [[nodiscard]] friend constexpr iterator operator+(difference_type n, iterator i) noexcept {
+            return i += n;
+        }
+        [[nodiscard]] friend constexpr iterator operator-(iterator i, difference_type n) noexcept {
+            return i -= n;
+        }
+        [[nodiscard]] friend constexpr difference_type operator-(iterator a, iterator b) noexcept {
+            return a.child_ - b.child_;
+        }
+        [[nodiscard]] friend constexpr auto operator<=>(iterator, iterator) noexcept = default;
+
+    private:
+        const Child<T>* child_ = nullptr;
+    };
+
+    List() = default;
+    List(const List&) = delete;
+    List& operator=(const List&) = delete;
+    /// Holds `children`, which lie in the same block as the list.
+    List& operator=(std::span<const Child<T>> children) noexcept {
+        children_ = children.data();
+        size_ = static_cast<std::uint32_t>(children.size());
+        return *this;
+    }
+
+    [[nodiscard]] iterator begin() const noexcept { return iterator(children_.get()); }
+    [[nodiscard]] iterator end() const noexcept { return iterator(children_.get() + size_); }
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    /// The same as they lie in memory.
+    [[nodiscard]] std::span<const Child<T>> children() const noexcept {
+        return {children_.get(), size_};
+    }
     /// The child at `index < size()`.
-    [[nodiscard]] constexpr const T* operator[](std::size_t index) const noexcept {
-        return data_[index];
+    [[nodiscard]] const T* operator[](std::size_t index) const noexcept {
+        return children_.get()[index].get();
     }
     /// The first and the last child, of a list that is not empty.
-    [[nodiscard]] constexpr const T* front() const noexcept { return data_[0]; }
-    [[nodiscard]] constexpr const T* back() const noexcept { return data_[size_ - 1]; }
+    [[nodiscard]] const T* front() const noexcept { return (*this)[0]; }
+    [[nodiscard]] const T* back() const noexcept { return (*this)[size_ - 1]; }
 
 private:
-    const T* const* data_ = nullptr;
+    RelativePointer<Child<T>> children_;
     std::uint32_t size_ = 0;
 };
 

@@ -50,7 +50,9 @@ template<class T>
 
 /// True of a member that holds one child, or null.
 template<class Member>
-inline constexpr bool is_child_member = std::is_pointer_v<Member>;
+inline constexpr bool is_child_member = false;
+template<class T>
+inline constexpr bool is_child_member<Child<T>> = true;
 
 /// True of a member that holds a `List` of children.
 template<class Member>

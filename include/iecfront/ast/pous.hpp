@@ -13,10 +13,10 @@ namespace iecfront::ast {
 struct FunctionDeclaration : LibraryElement {
     static constexpr NodeKind node_kind = NodeKind::function_declaration;
     FunctionDeclaration() noexcept : LibraryElement(node_kind) {}
-    const Identifier* name = nullptr;
-    const TypeSpecification* result_type = nullptr;
+    Child<Identifier> name;
+    Child<TypeSpecification> result_type;
     List<VariableDeclarations> declarations;
-    const Body* body = nullptr;
+    Child<Body> body;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &FunctionDeclaration::name},
@@ -30,9 +30,9 @@ struct FunctionDeclaration : LibraryElement {
 struct FunctionBlockDeclaration : LibraryElement {
     static constexpr NodeKind node_kind = NodeKind::function_block_declaration;
     FunctionBlockDeclaration() noexcept : LibraryElement(node_kind) {}
-    const Identifier* name = nullptr;
+    Child<Identifier> name;
     List<VariableDeclarations> declarations;
-    const Body* body = nullptr;
+    Child<Body> body;
 
     static constexpr auto members() {
         return std::tuple{
@@ -46,9 +46,9 @@ struct FunctionBlockDeclaration : LibraryElement {
 struct ProgramDeclaration : LibraryElement {
     static constexpr NodeKind node_kind = NodeKind::program_declaration;
     ProgramDeclaration() noexcept : LibraryElement(node_kind) {}
-    const Identifier* name = nullptr;
+    Child<Identifier> name;
     List<VariableDeclarations> declarations;
-    const Body* body = nullptr;
+    Child<Body> body;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &ProgramDeclaration::name},

@@ -45,7 +45,7 @@ struct Step : Node {
     static constexpr NodeKind node_kind = NodeKind::step;
     Step() noexcept : Node(node_kind) {}
     bool initial = false;
-    const Identifier* name = nullptr;
+    Child<Identifier> name;
     List<ActionAssociation> actions;
 
     static constexpr auto members() {
@@ -60,8 +60,8 @@ struct Step : Node {
 struct ActionAssociation : Node {
     static constexpr NodeKind node_kind = NodeKind::action_association;
     ActionAssociation() noexcept : Node(node_kind) {}
-    const Identifier* action_name = nullptr;
-    const ActionQualifier* qualifier = nullptr; ///< null when not given: N
+    Child<Identifier> action_name;
+    Child<ActionQualifier> qualifier; ///< null when not given: N
     List<Expression> indicators;
 
     static constexpr auto members() {
@@ -107,7 +107,7 @@ struct ActionQualifier : Node {
     static constexpr NodeKind node_kind = NodeKind::action_qualifier;
     ActionQualifier() noexcept : Node(node_kind) {}
     ActionQualifierKind qualifier = ActionQualifierKind::unknown;
-    const Expression* time = nullptr; ///< null for one that has none
+    Child<Expression> time; ///< null for one that has none
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"qualifier", &ActionQualifier::qualifier},
@@ -119,11 +119,11 @@ struct ActionQualifier : Node {
 struct Transition : Node {
     static constexpr NodeKind node_kind = NodeKind::transition;
     Transition() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr;     ///< null when not given
-    const Expression* priority = nullptr; ///< null when not given
-    const Steps* from = nullptr;
-    const Steps* to = nullptr;
-    const TransitionCondition* condition = nullptr;
+    Child<Identifier> name;     ///< null when not given
+    Child<Expression> priority; ///< null when not given
+    Child<Steps> from;
+    Child<Steps> to;
+    Child<TransitionCondition> condition;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &Transition::name},
@@ -150,7 +150,7 @@ struct Steps : Node {
 struct TransitionCondition : Node {
     static constexpr NodeKind node_kind = NodeKind::transition_condition;
     TransitionCondition() noexcept : Node(node_kind) {}
-    const Node* condition = nullptr;
+    Child<Node> condition;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"condition", &TransitionCondition::condition}};
@@ -161,8 +161,8 @@ struct TransitionCondition : Node {
 struct Action : Node {
     static constexpr NodeKind node_kind = NodeKind::action;
     Action() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr;
-    const Body* body = nullptr;
+    Child<Identifier> name;
+    Child<Body> body;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &Action::name},

@@ -49,8 +49,8 @@ struct BinaryExpression : Expression {
     static constexpr NodeKind node_kind = NodeKind::binary_expression;
     BinaryExpression() noexcept : Expression(node_kind) {}
     BinaryOperator op = BinaryOperator::power;
-    const Expression* left = nullptr;
-    const Expression* right = nullptr;
+    Child<Expression> left;
+    Child<Expression> right;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"op", &BinaryExpression::op},
@@ -64,7 +64,7 @@ struct UnaryExpression : Expression {
     static constexpr NodeKind node_kind = NodeKind::unary_expression;
     UnaryExpression() noexcept : Expression(node_kind) {}
     UnaryOperator op = UnaryOperator::minus;
-    const Expression* operand = nullptr;
+    Child<Expression> operand;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"op", &UnaryExpression::op},
@@ -76,7 +76,7 @@ struct UnaryExpression : Expression {
 struct ParenthesizedExpression : Expression {
     static constexpr NodeKind node_kind = NodeKind::parenthesized_expression;
     ParenthesizedExpression() noexcept : Expression(node_kind) {}
-    const Expression* expression = nullptr;
+    Child<Expression> expression;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"expression", &ParenthesizedExpression::expression}};
@@ -87,8 +87,8 @@ struct ParenthesizedExpression : Expression {
 struct FunctionCall : Expression {
     static constexpr NodeKind node_kind = NodeKind::function_call;
     FunctionCall() noexcept : Expression(node_kind) {}
-    const Expression* function = nullptr; ///< `VariableName`; anything else is an extension
-    List<Node> arguments;                 ///< `InputArgument` or `OutputArgument`
+    Child<Expression> function; ///< `VariableName`; anything else is an extension
+    List<Node> arguments;       ///< `InputArgument` or `OutputArgument`
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"function", &FunctionCall::function},
@@ -101,8 +101,8 @@ struct FunctionCall : Expression {
 struct InputArgument : Node {
     static constexpr NodeKind node_kind = NodeKind::input_argument;
     InputArgument() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr; ///< null in a non-formal list
-    const Node* value = nullptr;
+    Child<Identifier> name; ///< null in a non-formal list
+    Child<Node> value;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &InputArgument::name},
@@ -115,8 +115,8 @@ struct OutputArgument : Node {
     static constexpr NodeKind node_kind = NodeKind::output_argument;
     OutputArgument() noexcept : Node(node_kind) {}
     bool negated = false;
-    const Identifier* name = nullptr;
-    const Expression* variable = nullptr;
+    Child<Identifier> name;
+    Child<Expression> variable;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"negated", &OutputArgument::negated},
@@ -168,8 +168,8 @@ struct EmptyStatement : Statement {
 struct AssignmentStatement : Statement {
     static constexpr NodeKind node_kind = NodeKind::assignment_statement;
     AssignmentStatement() noexcept : Statement(node_kind) {}
-    const Expression* variable = nullptr;
-    const Expression* expression = nullptr;
+    Child<Expression> variable;
+    Child<Expression> expression;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"variable", &AssignmentStatement::variable},
@@ -181,8 +181,8 @@ struct AssignmentStatement : Statement {
 struct FbInvocation : Statement {
     static constexpr NodeKind node_kind = NodeKind::fb_invocation;
     FbInvocation() noexcept : Statement(node_kind) {}
-    const Expression* fb_name = nullptr; ///< `VariableName`; anything else is an extension
-    List<Node> arguments;                ///< `InputArgument` or `OutputArgument`
+    Child<Expression> fb_name; ///< `VariableName`; anything else is an extension
+    List<Node> arguments;      ///< `InputArgument` or `OutputArgument`
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"fb_name", &FbInvocation::fb_name},
@@ -202,10 +202,10 @@ struct ReturnStatement : Statement {
 struct IfStatement : Statement {
     static constexpr NodeKind node_kind = NodeKind::if_statement;
     IfStatement() noexcept : Statement(node_kind) {}
-    const Expression* condition = nullptr;
-    const StatementList* then_list = nullptr;
+    Child<Expression> condition;
+    Child<StatementList> then_list;
     List<ElsifClause> elsif_clauses;
-    const StatementList* else_list = nullptr; ///< null when there is no ELSE
+    Child<StatementList> else_list; ///< null when there is no ELSE
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"condition", &IfStatement::condition},
@@ -219,8 +219,8 @@ struct IfStatement : Statement {
 struct ElsifClause : Node {
     static constexpr NodeKind node_kind = NodeKind::elsif_clause;
     ElsifClause() noexcept : Node(node_kind) {}
-    const Expression* condition = nullptr;
-    const StatementList* statements = nullptr;
+    Child<Expression> condition;
+    Child<StatementList> statements;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"condition", &ElsifClause::condition},
@@ -232,9 +232,9 @@ struct ElsifClause : Node {
 struct CaseStatement : Statement {
     static constexpr NodeKind node_kind = NodeKind::case_statement;
     CaseStatement() noexcept : Statement(node_kind) {}
-    const Expression* selector = nullptr;
+    Child<Expression> selector;
     List<CaseElement> elements;
-    const StatementList* else_list = nullptr; ///< null when there is no ELSE
+    Child<StatementList> else_list; ///< null when there is no ELSE
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"selector", &CaseStatement::selector},
@@ -248,7 +248,7 @@ struct CaseElement : Node {
     static constexpr NodeKind node_kind = NodeKind::case_element;
     CaseElement() noexcept : Node(node_kind) {}
     List<Node> labels; ///< `Subrange`, or an `Expression`: `IntegerLiteral`, `EnumeratedValue`
-    const StatementList* statements = nullptr;
+    Child<StatementList> statements;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"labels", &CaseElement::labels},
@@ -260,11 +260,11 @@ struct CaseElement : Node {
 struct ForStatement : Statement {
     static constexpr NodeKind node_kind = NodeKind::for_statement;
     ForStatement() noexcept : Statement(node_kind) {}
-    const Expression* control_variable = nullptr; ///< `VariableName`; anything else is an extension
-    const Expression* from = nullptr;
-    const Expression* to = nullptr;
-    const Expression* by = nullptr; ///< null when not given: 1
-    const StatementList* statements = nullptr;
+    Child<Expression> control_variable; ///< `VariableName`; anything else is an extension
+    Child<Expression> from;
+    Child<Expression> to;
+    Child<Expression> by; ///< null when not given: 1
+    Child<StatementList> statements;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"control_variable", &ForStatement::control_variable},
@@ -279,8 +279,8 @@ struct ForStatement : Statement {
 struct WhileStatement : Statement {
     static constexpr NodeKind node_kind = NodeKind::while_statement;
     WhileStatement() noexcept : Statement(node_kind) {}
-    const Expression* condition = nullptr;
-    const StatementList* statements = nullptr;
+    Child<Expression> condition;
+    Child<StatementList> statements;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"condition", &WhileStatement::condition},
@@ -292,8 +292,8 @@ struct WhileStatement : Statement {
 struct RepeatStatement : Statement {
     static constexpr NodeKind node_kind = NodeKind::repeat_statement;
     RepeatStatement() noexcept : Statement(node_kind) {}
-    const StatementList* statements = nullptr;
-    const Expression* condition = nullptr;
+    Child<StatementList> statements;
+    Child<Expression> condition;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"statements", &RepeatStatement::statements},
@@ -321,7 +321,7 @@ struct ContinueStatement : Statement {
 struct ExpressionStatement : Statement {
     static constexpr NodeKind node_kind = NodeKind::expression_statement;
     ExpressionStatement() noexcept : Statement(node_kind) {}
-    const Expression* expression = nullptr;
+    Child<Expression> expression;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"expression", &ExpressionStatement::expression}};

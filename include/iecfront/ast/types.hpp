@@ -28,9 +28,9 @@ struct DataTypeDeclaration : LibraryElement {
 struct TypeDeclaration : Node {
     static constexpr NodeKind node_kind = NodeKind::type_declaration;
     TypeDeclaration() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr;
-    const TypeSpecification* specification = nullptr;
-    const Expression* initial_value = nullptr; ///< null when not given
+    Child<Identifier> name;
+    Child<TypeSpecification> specification;
+    Child<Expression> initial_value; ///< null when not given
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &TypeDeclaration::name},
@@ -64,8 +64,8 @@ struct DerivedTypeName : TypeSpecification {
 struct SubrangeSpecification : TypeSpecification {
     static constexpr NodeKind node_kind = NodeKind::subrange_specification;
     SubrangeSpecification() noexcept : TypeSpecification(node_kind) {}
-    const TypeSpecification* base = nullptr;
-    const Subrange* range = nullptr;
+    Child<TypeSpecification> base;
+    Child<Subrange> range;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"base", &SubrangeSpecification::base},
@@ -77,9 +77,9 @@ struct SubrangeSpecification : TypeSpecification {
 struct EnumeratedSpecification : TypeSpecification {
     static constexpr NodeKind node_kind = NodeKind::enumerated_specification;
     EnumeratedSpecification() noexcept : TypeSpecification(node_kind) {}
-    const TypeSpecification* base = nullptr; ///< `INT (A, B)`: an extension; else null
+    Child<TypeSpecification> base; ///< `INT (A, B)`: an extension; else null
     List<EnumeratedValueDeclaration> values;
-    const TypeSpecification* base_behind = nullptr; ///< `(A, B) INT`: an extension; else null
+    Child<TypeSpecification> base_behind; ///< `(A, B) INT`: an extension; else null
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"base", &EnumeratedSpecification::base},
@@ -92,8 +92,8 @@ struct EnumeratedSpecification : TypeSpecification {
 struct EnumeratedValueDeclaration : Node {
     static constexpr NodeKind node_kind = NodeKind::enumerated_value_declaration;
     EnumeratedValueDeclaration() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr;
-    const Expression* value = nullptr; ///< `A := 1`: an extension; null when not given
+    Child<Identifier> name;
+    Child<Expression> value; ///< `A := 1`: an extension; null when not given
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &EnumeratedValueDeclaration::name},
@@ -106,7 +106,7 @@ struct ArraySpecification : TypeSpecification {
     static constexpr NodeKind node_kind = NodeKind::array_specification;
     ArraySpecification() noexcept : TypeSpecification(node_kind) {}
     List<Subrange> subranges; ///< one for each subscript
-    const TypeSpecification* element_type = nullptr;
+    Child<TypeSpecification> element_type;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"subranges", &ArraySpecification::subranges},
@@ -118,8 +118,8 @@ struct ArraySpecification : TypeSpecification {
 struct Subrange : Node {
     static constexpr NodeKind node_kind = NodeKind::subrange;
     Subrange() noexcept : Node(node_kind) {}
-    const Expression* lower = nullptr;
-    const Expression* upper = nullptr;
+    Child<Expression> lower;
+    Child<Expression> upper;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"lower", &Subrange::lower},
@@ -143,8 +143,8 @@ struct StructureElementDeclaration : Node {
     static constexpr NodeKind node_kind = NodeKind::structure_element_declaration;
     StructureElementDeclaration() noexcept : Node(node_kind) {}
     List<Identifier> names; ///< one; several are an extension
-    const TypeSpecification* specification = nullptr;
-    const Expression* initial_value = nullptr; ///< null when not given
+    Child<TypeSpecification> specification;
+    Child<Expression> initial_value; ///< null when not given
 
     static constexpr auto members() {
         return std::tuple{
@@ -159,7 +159,7 @@ struct StringSpecification : TypeSpecification {
     static constexpr NodeKind node_kind = NodeKind::string_specification;
     StringSpecification() noexcept : TypeSpecification(node_kind) {}
     bool double_byte = false; ///< WSTRING
-    const Expression* length = nullptr;
+    Child<Expression> length;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"double_byte", &StringSpecification::double_byte},
@@ -190,7 +190,7 @@ struct ArrayInitialization : Expression {
 struct ArrayInitialElements : Expression {
     static constexpr NodeKind node_kind = NodeKind::array_initial_elements;
     ArrayInitialElements() noexcept : Expression(node_kind) {}
-    const Expression* count = nullptr;
+    Child<Expression> count;
     List<Expression> elements; ///< none: the default; more than one is an extension
 
     static constexpr auto members() {
@@ -214,8 +214,8 @@ struct StructureInitialization : Expression {
 struct StructureElementInitialization : Node {
     static constexpr NodeKind node_kind = NodeKind::structure_element_initialization;
     StructureElementInitialization() noexcept : Node(node_kind) {}
-    const Identifier* name = nullptr;
-    const Expression* value = nullptr;
+    Child<Identifier> name;
+    Child<Expression> value;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"name", &StructureElementInitialization::name},

@@ -70,11 +70,11 @@ struct VariableDeclarations : LibraryElement {
 struct VariableDeclaration : Node {
     static constexpr NodeKind node_kind = NodeKind::variable_declaration;
     VariableDeclaration() noexcept : Node(node_kind) {}
-    Edge edge = Edge::none;             ///< `BOOL R_EDGE`
-    List<Identifier> names;             ///< none for `AT %IX1 : BOOL`
-    const Location* location = nullptr; ///< null when not given
-    const TypeSpecification* specification = nullptr;
-    const Expression* initial_value = nullptr; ///< null when not given
+    Edge edge = Edge::none;   ///< `BOOL R_EDGE`
+    List<Identifier> names;   ///< none for `AT %IX1 : BOOL`
+    Child<Location> location; ///< null when not given
+    Child<TypeSpecification> specification;
+    Child<Expression> initial_value; ///< null when not given
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"edge", &VariableDeclaration::edge},
@@ -89,7 +89,7 @@ struct VariableDeclaration : Node {
 struct Location : Node {
     static constexpr NodeKind node_kind = NodeKind::location;
     Location() noexcept : Node(node_kind) {}
-    const Expression* variable = nullptr; ///< `DirectVariable` or `ErrorExpression`
+    Child<Expression> variable; ///< `DirectVariable` or `ErrorExpression`
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"variable", &Location::variable}};
@@ -101,9 +101,9 @@ struct AccessDeclaration : Node {
     static constexpr NodeKind node_kind = NodeKind::access_declaration;
     AccessDeclaration() noexcept : Node(node_kind) {}
     Direction direction = Direction::none;
-    const Identifier* name = nullptr;
-    const Expression* path = nullptr;
-    const TypeSpecification* specification = nullptr;
+    Child<Identifier> name;
+    Child<Expression> path;
+    Child<TypeSpecification> specification;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"direction", &AccessDeclaration::direction},
@@ -118,9 +118,9 @@ struct InstanceSpecificInit : Node {
     static constexpr NodeKind node_kind = NodeKind::instance_specific_init;
     InstanceSpecificInit() noexcept : Node(node_kind) {}
     List<Identifier> path;
-    const Location* location = nullptr; ///< null when not given
-    const TypeSpecification* specification = nullptr;
-    const Expression* initial_value = nullptr; ///< null when not given
+    Child<Location> location; ///< null when not given
+    Child<TypeSpecification> specification;
+    Child<Expression> initial_value; ///< null when not given
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"path", &InstanceSpecificInit::path},
@@ -162,7 +162,7 @@ struct VariableName : Expression {
 struct ArrayVariable : Expression {
     static constexpr NodeKind node_kind = NodeKind::array_variable;
     ArrayVariable() noexcept : Expression(node_kind) {}
-    const Expression* subscripted_variable = nullptr;
+    Child<Expression> subscripted_variable;
     List<Expression> subscripts;
 
     static constexpr auto members() {
@@ -187,8 +187,8 @@ struct PartSelector : Node {
 struct StructuredVariable : Expression {
     static constexpr NodeKind node_kind = NodeKind::structured_variable;
     StructuredVariable() noexcept : Expression(node_kind) {}
-    const Expression* record_variable = nullptr;
-    const Node* field_selector = nullptr; ///< `Identifier`, or one of these
+    Child<Expression> record_variable;
+    Child<Node> field_selector; ///< `Identifier`, or one of these
 
     static constexpr auto members() {
         return std::tuple{
@@ -201,7 +201,7 @@ struct StructuredVariable : Expression {
 struct DereferencedVariable : Expression {
     static constexpr NodeKind node_kind = NodeKind::dereferenced_variable;
     DereferencedVariable() noexcept : Expression(node_kind) {}
-    const Expression* reference = nullptr;
+    Child<Expression> reference;
 
     static constexpr auto members() {
         return std::tuple{MemberDescription{"reference", &DereferencedVariable::reference}};
