@@ -111,6 +111,11 @@ void set_source_size(Options& options, std::string_view value) {
         static_cast<std::uint32_t>(number<1, UINT32_MAX>("--max-source-size", value));
 }
 
+void set_unit_memory(Options& options, std::string_view value) {
+    options.parse.maximum_unit_memory =
+        static_cast<std::uint32_t>(number<1, UINT32_MAX>("--max-unit-memory", value));
+}
+
 void set_jobs(Options& options, std::string_view value) {
     options.jobs = static_cast<unsigned>(number<1, 1024>("--jobs", value));
 }
@@ -227,6 +232,9 @@ constexpr std::array check_options = {
               "report identifiers of more than N bytes (default 4096)", set_identifier_length},
     OptionRow{"--max-source-size", "N",
               "do not examine files of more than N bytes (default 268435456)", set_source_size},
+    OptionRow{"--max-unit-memory", "N",
+              "do not examine what takes more than N bytes of memory (default 2147483648)",
+              set_unit_memory},
     OptionRow{"--max-diagnostics", "N", "stop after N findings in a file (default 100000)",
               set_diagnostics},
     jobs_row,

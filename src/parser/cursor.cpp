@@ -7,9 +7,8 @@
 
 namespace iecfront {
 
-Parser::Parser(std::string_view text, std::span<const Token> tokens,
-               std::span<const Diagnostic> lexical, std::uint32_t opener, ParserArena& arena,
-               const ParseOptions& options)
+Parser::Parser(std::string_view text, std::span<Token> tokens, std::span<const Diagnostic> lexical,
+               std::uint32_t opener, ParserArena& arena, const ParseOptions& options)
     : text_(text),
       tokens_(tokens.data()),
       count_(static_cast<std::uint32_t>(tokens.size()) - 1),
@@ -130,10 +129,13 @@ bool Parser::expect(TokenKind expected) {
 
 // ---- nodes --------------------------------------------------------------------------------------
 
-/// There is no more room: goes to the end of the unit, and takes from the reserve.
-void* Parser::allocate_at_end(std::size_t size, std::size_t alignment) {
+/// There is no more room: takes from the reserve. All that follows is unknown, so that the next
+/// step leads to the end of the unit, while the current token stays what it is for who has looked
+/// at it.
+void* Parser::allocate_from_reserve(std::size_t size, std::size_t alignment) {
     arena_.open_reserve();
-    at_ = end_ = count_;
+    for (std::uint32_t i = at_ + 1; i < count_; ++i)
+        tokens_[i] = Token(TokenKind::unknown, tokens_[i].offset(), tokens_[i].length());
     return arena_.allocate(size, alignment);
 }
 

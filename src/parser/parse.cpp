@@ -3,28 +3,19 @@
 #include <iecfront/parser/parse.hpp>
 
 #include <memory>
-#include <span>
 #include <string>
 #include <utility>
 
 namespace iecfront {
 namespace {
 
-/// The tree of a text that is not read: one unit that says so. All of the text is a comment in it,
-/// so that no byte is lost and nothing is looked at.
+/// The tree of a text that is not read: one unit that says so.
 SyntaxTree refuse(const SourceText& source, const ParseOptions& options, std::uint64_t limit) {
     Unit::Parts parts;
     parts.buffer = source.buffer();
     parts.text = source.bytes();
     parts.encoding = source.encoding();
-    parts.arena = Arena(sizeof(ast::LibraryUnit) + sizeof(Trivia));
-    parts.root = parts.arena.create<ast::LibraryUnit>();
-    const auto size = static_cast<std::uint32_t>(source.bytes().size());
-    const Trivia all{{0, size}, TriviaKind::comment};
-    if (size > 0)
-        parts.trivia = parts.arena.copy(std::span(&all, 1));
-    parts.diagnostics.push_back(
-        {DiagnosticId::source_too_large, {}, {std::to_string(limit)}, {}, {}});
+    leave_unexamined(parts, {DiagnosticId::source_too_large, {}, {std::to_string(limit)}, {}, {}});
     return {source.name(),
             source.encoding(),
             {std::make_shared<const Unit>(std::move(parts))},

@@ -49,9 +49,8 @@ class Parser {
 public:
     /// `tokens` ends in an end_of_unit token, which `opener` is as well when the unit cutter found
     /// none. `lexical` is what the lexer reported, ordered by place. Nodes are made in `arena`.
-    Parser(std::string_view text, std::span<const Token> tokens,
-           std::span<const Diagnostic> lexical, std::uint32_t opener, ParserArena& arena,
-           const ParseOptions& options);
+    Parser(std::string_view text, std::span<Token> tokens, std::span<const Diagnostic> lexical,
+           std::uint32_t opener, ParserArena& arena, const ParseOptions& options);
 
     // ---- library.cpp: B.0
     const ast::LibraryUnit* parse_library_unit();
@@ -124,10 +123,10 @@ private:
     T* create() {
         void* memory = arena_.try_allocate(sizeof(T), alignof(T));
         if (memory == nullptr)
-            memory = allocate_at_end(sizeof(T), alignof(T));
+            memory = allocate_from_reserve(sizeof(T), alignof(T));
         return ::new (memory) T();
     }
-    void* allocate_at_end(std::size_t size, std::size_t alignment);
+    void* allocate_from_reserve(std::size_t size, std::size_t alignment);
     template<class T>
     T* make() {
         T* node = create<T>();
@@ -172,7 +171,7 @@ private:
         void* memory = arena_.full() ? nullptr : arena_.try_allocate(count * size, alignment);
         if (memory == nullptr) {
             count = std::min<std::size_t>(count, 16);
-            memory = allocate_at_end(count * size, alignment);
+            memory = allocate_from_reserve(count * size, alignment);
         }
         auto* const first = static_cast<ast::Child<T>*>(memory);
         std::uninitialized_default_construct_n(first, count);
@@ -926,7 +925,7 @@ private:
     void accept_extra_semicolon_before_body();
 
     std::string_view text_;
-    const Token* tokens_;                 // the last one is end_of_unit
+    Token* tokens_;                       // the last one is end_of_unit
     std::uint32_t count_;                 // without end_of_unit
     std::span<const Diagnostic> lexical_; // what the lexer reported
     std::uint32_t opener_;                // see UnitCut

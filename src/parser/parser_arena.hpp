@@ -37,13 +37,12 @@ public:
         set_limit();
     }
 
-    /// What most units leave unused.
-    static constexpr std::size_t usual_reserve = 65'536;
-
-private:
     static constexpr std::size_t reserve_of_unit = 16'384;
     static constexpr std::size_t reserve_of_level = 4'096;
+    /// With that of as many levels as most units have.
+    static constexpr std::size_t usual_reserve = reserve_of_unit + 12 * reserve_of_level;
 
+private:
     void hold_back(std::size_t size) noexcept {
         reserve_ += size;
         set_limit();

@@ -19,7 +19,7 @@ namespace iecfront {
 /// What the parser reads of a unit.
 struct ParserInput {
     std::string_view text;
-    std::span<const Token> tokens;       // the last one is end_of_unit
+    std::span<Token> tokens;             // the last one is end_of_unit
     std::span<const Diagnostic> lexical; // what the lexer reported, ordered by place
     std::uint32_t opener;
     const ParseOptions& options;

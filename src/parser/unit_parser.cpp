@@ -62,6 +62,19 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
 
 } // namespace
 
+void leave_unexamined(Unit::Parts& parts, Diagnostic report) {
+    parts.arena = Arena(sizeof(ast::LibraryUnit) + sizeof(Trivia));
+    parts.root = parts.arena.create<ast::LibraryUnit>();
+    parts.tokens = {};
+    parts.trivia = {};
+    const auto size = static_cast<std::uint32_t>(parts.text.size());
+    const Trivia all{{0, size}, TriviaKind::comment};
+    if (size > 0)
+        parts.trivia = parts.arena.copy(std::span(&all, 1));
+    parts.diagnostics.clear();
+    parts.diagnostics.push_back(std::move(report));
+}
+
 UnitReader::UnitReader(std::shared_ptr<const std::string> buffer, Encoding encoding,
                        bool at_file_start, const ParseOptions& options)
     : buffer_(std::move(buffer)),
@@ -177,11 +190,30 @@ std::shared_ptr<const Unit> UnitReader::parse(std::shared_ptr<const std::string>
     parts.diagnostics = take_diagnostics();
     if (auto broken = check_encoding(parts.text, parts.encoding))
         parts.diagnostics.push_back(std::move(*broken));
-    make_room();
-    while (!parse_in_room(parts))
-        room_ = ParserArena(2 * room_.capacity());
+    if (!parse_into(parts))
+        leave_unexamined(parts, {DiagnosticId::unit_too_large,
+                                 {},
+                                 {std::uint64_t{options_.maximum_unit_memory}},
+                                 {},
+                                 {}});
     sort_by_place(parts.diagnostics);
     return std::make_shared<const Unit>(std::move(parts));
+}
+
+/// False when it takes more memory than is allowed.
+bool UnitReader::parse_into(Unit::Parts& parts) {
+    const std::size_t maximum = options_.maximum_unit_memory;
+    if (tokens().size_bytes() + sizeof(Token) + trivia().size_bytes() > maximum)
+        return false;
+    const std::size_t most = maximum + ParserArena::reserve_of_unit +
+                             options_.maximum_nesting * ParserArena::reserve_of_level;
+    make_room();
+    while (!parse_in_room(parts)) {
+        if (room_.capacity() >= most)
+            return false;
+        room_ = ParserArena(std::min(2 * room_.capacity(), most));
+    }
+    return room_.used() <= maximum;
 }
 
 /// For what most units of so many tokens need.
@@ -195,7 +227,7 @@ void UnitReader::make_room() {
 /// False when there is not enough of it.
 bool UnitReader::parse_in_room(Unit::Parts& parts) {
     room_.clear();
-    const std::span<const Token> tokens = copy_tokens();
+    const std::span<Token> tokens = copy_tokens();
     const std::span<const Trivia> trivia = copy_trivia();
     std::vector<Diagnostic> lexical = parts.diagnostics;
     if (lengths_ > options_.maximum_identifier_length)
@@ -215,7 +247,7 @@ bool UnitReader::parse_in_room(Unit::Parts& parts) {
 }
 
 /// With end_of_unit behind them.
-std::span<const Token> UnitReader::copy_tokens() {
+std::span<Token> UnitReader::copy_tokens() {
     const std::span<const Token> from = tokens();
     auto* const to =
         static_cast<Token*>(room_.allocate((from.size() + 1) * sizeof(Token), alignof(Token)));

@@ -6,6 +6,7 @@
 
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/ast/unit.hpp>
+#include <iecfront/diagnostics/diagnostic.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,10 @@
 #include <vector>
 
 namespace iecfront {
+
+/// Makes `parts`, of which the text is known, a unit that is not examined, as `report` says: all of
+/// its text is a comment, so that no byte is lost.
+void leave_unexamined(Unit::Parts& parts, Diagnostic report);
 
 /// Reads a text unit by unit. Of the tokens, it holds those of the unit where it stands, and a
 /// stretch of what follows. A fragment is one unit.
@@ -63,9 +68,10 @@ private:
     [[nodiscard]] std::uint32_t end_of_cut() const noexcept;
     [[nodiscard]] std::shared_ptr<const Unit> parse(std::shared_ptr<const std::string> buffer,
                                                     std::string_view text);
+    [[nodiscard]] bool parse_into(Unit::Parts& parts);
     void make_room();
     [[nodiscard]] bool parse_in_room(Unit::Parts& parts);
-    [[nodiscard]] std::span<const Token> copy_tokens();
+    [[nodiscard]] std::span<Token> copy_tokens();
     [[nodiscard]] std::span<const Trivia> copy_trivia();
     [[nodiscard]] std::vector<Diagnostic> take_diagnostics();
 

@@ -70,6 +70,7 @@ constexpr OptionalLimit optional_limits[] = {
     {DiagnosticId::nesting_too_deep, &ParseOptions::maximum_nesting},
     {DiagnosticId::identifier_too_long, &ParseOptions::maximum_identifier_length},
     {DiagnosticId::too_many_diagnostics, &ParseOptions::maximum_diagnostics},
+    {DiagnosticId::unit_too_large, &ParseOptions::maximum_unit_memory},
 };
 
 [[nodiscard]] bool is_hit(const Case& one, const OptionalLimit& limit, int more) {

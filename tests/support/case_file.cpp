@@ -104,6 +104,8 @@ private:
             current().maximum_identifier_length = rest;
         } else if (name == "max-source-size") {
             current().maximum_source_size = rest;
+        } else if (name == "max-unit-memory") {
+            current().maximum_unit_memory = rest;
         } else if (name == "max-diagnostics") {
             current().maximum_diagnostics = rest;
         } else if (name == "report") {

@@ -19,6 +19,7 @@ namespace iecfront::test {
 ///     : max-identifier-length 8      ParseOptions::maximum_identifier_length
 ///     : max-diagnostics 2            ParseOptions::maximum_diagnostics
 ///     : max-source-size 40           ParseOptions::maximum_source_size
+///     : max-unit-memory 400          ParseOptions::maximum_unit_memory
 ///     : report CLASS-OR-CODE         shown though it is allowed by default
 ///     : fixes-leave reason in words  not all is well when the fixes are applied
 ///     source lines
@@ -49,6 +50,7 @@ struct Case {
     std::string maximum_identifier_length;
     std::string maximum_diagnostics;
     std::string maximum_source_size;
+    std::string maximum_unit_memory;
     std::vector<std::string> report;
     std::optional<std::string> fixes_leave;
     bool escapes = false;

@@ -191,12 +191,14 @@ ParseOptions options_of(const Case& one) {
     set(options.maximum_identifier_length, one.maximum_identifier_length);
     set(options.maximum_diagnostics, one.maximum_diagnostics);
     set(options.maximum_source_size, one.maximum_source_size);
+    set(options.maximum_unit_memory, one.maximum_unit_memory);
     return options;
 }
 
 ParseOptions options_of_changed(const Case& one) {
     ParseOptions options = options_of(one);
     options.maximum_source_size = ParseOptions().maximum_source_size;
+    options.maximum_unit_memory = ParseOptions().maximum_unit_memory;
     return options;
 }
 
