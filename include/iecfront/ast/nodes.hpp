@@ -11,9 +11,12 @@
 #include <iecfront/ast/variables.hpp>
 #include <iecfront/export.hpp>
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 /// All node structs, and the means that work on any of them.
 namespace iecfront::ast {
@@ -88,23 +91,66 @@ constexpr void for_each_child(const Node& node, Function&& function) {
     });
 }
 
+/// The same from the last one to the first, for a `node` whose struct is known.
+template<class Struct, class Function>
+constexpr void for_each_child_backwards(const Struct& node, Function&& function) {
+    const auto each = [&](const auto& member) {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        if constexpr (is_child_member<Member>) {
+            if (const Node* const child = member.get(); child != nullptr)
+                function(*child);
+        } else if constexpr (is_list_member<Member>) {
+            for (std::size_t i = member.size(); i > 0; --i)
+                function(static_cast<const Node&>(*member[i - 1]));
+        }
+    };
+    constexpr std::size_t count = std::tuple_size_v<decltype(Struct::members())>;
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+        (each(node.*(std::get<count - 1 - Index>(Struct::members()).pointer)), ...);
+    }
+    (std::make_index_sequence<count>());
+}
+
+/// No more children than these has `node`, whose struct is known.
+template<class Struct>
+[[nodiscard]] constexpr std::size_t child_bound(const Struct& node) noexcept {
+    const auto bound = [](const auto& member) -> std::size_t {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        if constexpr (is_list_member<Member>)
+            return member.size();
+        else
+            return is_child_member<Member> ? 1 : 0;
+    };
+    return std::apply(
+        [&](const auto&... member) {
+            return (std::size_t{0} + ... + bound(node.*(member.pointer)));
+        },
+        Struct::members());
+}
+
+namespace detail {
+
+/// True of a struct with a member for children.
+template<class Struct>
+[[nodiscard]] constexpr bool holds_children() {
+    return std::apply(
+        []<class... Base, class... Member>(const MemberDescription<Base, Member>&...) {
+            return (... || (is_child_member<Member> || is_list_member<Member>));
+        },
+        Struct::members());
+}
+
+/// The same by kind.
+inline constexpr std::array<bool, node_kind_count> kinds_with_children = {
+#define IECFRONT_NODE(enumerator, Struct, Category, production) holds_children<Struct>(),
+#include <iecfront/ast/nodes.def>
+};
+
+} // namespace detail
+
 /// True when nodes of this kind can have children: of half of all nodes there is none to ask for.
 [[nodiscard]] constexpr bool can_have_children(NodeKind kind) noexcept {
-    constexpr auto holds_child =
-        []<class Struct, class Member>(const MemberDescription<Struct, Member>&) {
-            return is_child_member<Member> || is_list_member<Member>;
-        };
-    constexpr auto has_children = [holds_child](const auto& members) {
-        return std::apply(
-            [holds_child](const auto&... member) { return (... || holds_child(member)); }, members);
-    };
-    switch (kind) {
-#define IECFRONT_NODE(enumerator, Struct, Category, production)                                    \
-    case NodeKind::enumerator:                                                                     \
-        return has_children(Struct::members());
-#include <iecfront/ast/nodes.def>
-    }
-    return false;
+    return detail::kinds_with_children[static_cast<std::size_t>(kind)];
 }
 
 /// True when both trees have the same nodes over the same token numbers, with equal members.

@@ -2,9 +2,7 @@
 
 #include <iecfront/ast/nodes.hpp>
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace iecfront::ast {
@@ -16,32 +14,70 @@ enum class Walk : std::uint8_t {
     stop, ///< end the traversal
 };
 
+namespace detail {
+
+/// Nodes that a traversal has still to come to, the next one on top. `Entry` is made of a pointer
+/// to a node.
+template<class Entry>
+class PendingNodes {
+public:
+    explicit PendingNodes(const Node& root) { push(root); }
+    PendingNodes(const PendingNodes&) = delete;
+    PendingNodes& operator=(const PendingNodes&) = delete;
+
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] Entry& top() noexcept { return entries_[size_ - 1]; }
+    Entry pop() noexcept { return entries_[--size_]; }
+
+    /// The first child of `node` comes to the top.
+    void push_children(const Node& node) {
+        dispatch(node, [this](const auto& typed) {
+            make_room(child_bound(typed));
+            Entry* end = entries_.data() + size_;
+            for_each_child_backwards(typed, [&end](const Node& child) { *end++ = Entry{&child}; });
+            size_ = static_cast<std::size_t>(end - entries_.data());
+        });
+    }
+
+private:
+    void push(const Node& node) {
+        make_room(1);
+        entries_[size_++] = Entry{&node};
+    }
+    void make_room(std::size_t count) {
+        if (entries_.size() - size_ < count)
+            entries_.resize(2 * entries_.size() + count);
+    }
+
+    std::vector<Entry> entries_ = std::vector<Entry>(128); // those behind `size_` are not used
+    std::size_t size_ = 0;
+};
+
+} // namespace detail
+
 /// Goes through `root` and all nodes below it, in source order. Calls `enter(const Node&)`, which
 /// gives a `Walk`, before the children and `leave(const Node&)` after them. Needs no recursion,
 /// however deep the tree. Returns false when it was stopped.
 template<class Enter, class Leave>
 bool walk(const Node& root, Enter&& enter, Leave&& leave) {
     struct Entry {
-        const Node* node;
-        bool leaving;
+        const Node* node = nullptr;
+        bool leaving = false;
     };
-    std::vector<Entry> pending{{&root, false}};
+    detail::PendingNodes<Entry> pending(root);
     while (!pending.empty()) {
-        const Entry entry = pending.back();
+        const Entry entry = pending.top();
         if (entry.leaving) {
-            pending.pop_back();
+            pending.pop();
             leave(*entry.node);
             continue;
         }
         const Walk next = enter(*entry.node);
         if (next == Walk::stop)
             return false;
-        pending.back().leaving = true;
-        if (next == Walk::over)
-            continue;
-        const std::size_t begin = pending.size();
-        for_each_child(*entry.node, [&](const Node& child) { pending.push_back({&child, false}); });
-        std::reverse(pending.begin() + static_cast<std::ptrdiff_t>(begin), pending.end());
+        pending.top().leaving = true;
+        if (next == Walk::into && can_have_children(entry.node->kind))
+            pending.push_children(*entry.node);
     }
     return true;
 }
@@ -49,18 +85,14 @@ bool walk(const Node& root, Enter&& enter, Leave&& leave) {
 /// The same without `leave`.
 template<class Enter>
 bool walk(const Node& root, Enter&& enter) {
-    std::vector<const Node*> pending{&root};
+    detail::PendingNodes<const Node*> pending(root);
     while (!pending.empty()) {
-        const Node& node = *pending.back();
-        pending.pop_back();
+        const Node& node = *pending.pop();
         const Walk next = enter(node);
         if (next == Walk::stop)
             return false;
-        if (next == Walk::over || !can_have_children(node.kind))
-            continue;
-        const std::size_t begin = pending.size();
-        for_each_child(node, [&](const Node& child) { pending.push_back(&child); });
-        std::reverse(pending.begin() + static_cast<std::ptrdiff_t>(begin), pending.end());
+        if (next == Walk::into && can_have_children(node.kind))
+            pending.push_children(node);
     }
     return true;
 }
