@@ -191,11 +191,11 @@ constexpr NameTable<name_count> name_table(names);
 
 } // namespace
 
-constinit const detail::HashBits detail::standard_name_bits = [] {
-    HashBits bits{};
+constinit const detail::HashSet detail::standard_name_hashes = [] {
+    HashSet hashes{};
     for (std::size_t i = 0; i < name_count; ++i)
-        bits.add(hash_name(names[i]));
-    return bits;
+        hashes.add(hash_name(names[i]));
+    return hashes;
 }();
 
 StandardName find_standard_name(std::string_view name, std::uint32_t hash) noexcept {
@@ -203,7 +203,7 @@ StandardName find_standard_name(std::string_view name, std::uint32_t hash) noexc
         return StandardName::none;
     if (const std::size_t index = name_table.find(name, hash); index != name_count)
         return index < functions.size() ? StandardName::function : StandardName::function_block;
-    if (detail::may_end_in_type(name) && ends_in_type(name) &&
+    if (detail::last_letters_of_types.end(name) && ends_in_type(name) &&
         (is_typed_function(name) || is_conversion(name)))
         return StandardName::function;
     return StandardName::none;

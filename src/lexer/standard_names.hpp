@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string_view>
 
 namespace iecfront {
@@ -13,46 +14,47 @@ namespace iecfront {
 namespace detail {
 
 // The hashes of some names, shortened to ten bits.
-class HashBits {
+class HashSet {
 public:
-    constexpr void add(std::uint32_t hash) noexcept { bits_[word(hash)] |= bit(hash); }
+    constexpr void add(std::uint32_t hash) noexcept { holds_[hash % size] = true; }
     [[nodiscard]] constexpr bool may_hold(std::uint32_t hash) const noexcept {
-        return (bits_[word(hash)] & bit(hash)) != 0;
+        return holds_[hash % size];
     }
 
 private:
-    static constexpr std::size_t word(std::uint32_t hash) noexcept { return hash / 64 % 16; }
-    static constexpr std::uint64_t bit(std::uint32_t hash) noexcept {
-        return std::uint64_t{1} << (hash % 64);
-    }
-    std::array<std::uint64_t, 16> bits_{};
+    static constexpr std::size_t size = 1024;
+    std::array<bool, size> holds_{};
 };
 
 // Of the names that are listed.
-extern const HashBits standard_name_bits;
+extern const HashSet standard_name_hashes;
 
-// True when the last two letters are those of an elementary type, or of TIME_OF_DAY, in which the
-// names end that are not listed.
-[[nodiscard]] constexpr bool may_end_in_type(std::string_view name) noexcept {
-    if (name.size() < 2)
-        return false;
-    const char before = fold(name[name.size() - 2]);
-    switch (fold(name.back())) {
-    case 'D': return before == 'R' || before == 'O';
-    case 'E': return before == 'M' || before == 'T';
-    case 'G': return before == 'N';
-    case 'L': return before == 'O' || before == 'A';
-    case 'T': return before == 'N' || before == 'D';
-    case 'Y': return before == 'A';
-    default: return false;
+// The last two letters of the elementary types, and of TIME_OF_DAY, in which the names end that are
+// not listed: for each last letter the ones before it, as bits. Other bytes may pass for letters.
+class LastLetters {
+public:
+    explicit consteval LastLetters(std::initializer_list<std::string_view> endings) {
+        for (const std::string_view ending : endings)
+            before_[row(ending[1])] |= bit(ending[0]);
     }
-}
+    [[nodiscard]] constexpr bool end(std::string_view name) const noexcept {
+        return name.size() >= 2 && (before_[row(name.back())] & bit(name[name.size() - 2])) != 0;
+    }
+
+private:
+    static constexpr std::size_t row(char letter) noexcept { return letter & 0x5FU; } // any case
+    static constexpr std::uint32_t bit(char letter) noexcept { return 1U << (letter & 0x1FU); }
+    std::array<std::uint32_t, 0x60> before_{};
+};
+
+inline constexpr LastLetters last_letters_of_types{"RD", "OD", "ME", "TE", "NG",
+                                                   "OL", "AL", "NT", "DT", "AY"};
 
 } // namespace detail
 
 // False for most names that are none of the standard; `hash` is the `hash_name` of `name`.
 [[nodiscard]] inline bool may_be_standard_name(std::string_view name, std::uint32_t hash) noexcept {
-    return detail::standard_name_bits.may_hold(hash) || detail::may_end_in_type(name);
+    return detail::standard_name_hashes.may_hold(hash) || detail::last_letters_of_types.end(name);
 }
 
 // What `standard_name` gives, for who has the `hash_name` of `name` already.

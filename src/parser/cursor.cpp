@@ -16,8 +16,7 @@ Parser::Parser(std::string_view text, std::span<Token> tokens, std::span<const D
       opener_(opener),
       arena_(arena),
       options_(options) {
-    while (at(TokenKind::unknown))
-        ++at_;
+    move_to(tokens_[0].kind() == TokenKind::unknown ? next(0) : 0);
 }
 
 // ---- tokens -------------------------------------------------------------------------------------
@@ -226,7 +225,8 @@ Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments argume
     if (expected_ != nullptr && !stopped_at_ && id != DiagnosticId::empty_statement_list &&
         !holds(*expected_, diagnostics_.back())) {
         stopped_at_ = at_;
-        at_ = end_ = count_;
+        end_ = count_;
+        move_to(count_);
     }
     return {*this, diagnostics_.size() - 1};
 }
@@ -303,10 +303,7 @@ TextRange Parser::token_range(std::uint32_t first, std::uint32_t end) const noex
 // ---- names --------------------------------------------------------------------------------------
 
 const ast::Identifier* Parser::make_identifier() {
-    auto* name = make<ast::Identifier>();
-    name->hash = hash_name(text(at_));
-    advance();
-    return finish(name);
+    return take_name<ast::Identifier>();
 }
 
 const ast::Identifier* Parser::make_missing_identifier(std::string_view what) {
@@ -323,7 +320,7 @@ const ast::Identifier* Parser::make_missing_identifier(std::string_view what) {
 const ast::Identifier* Parser::parse_name(std::string_view what) {
     if (at(TokenKind::identifier)) {
         const ast::Identifier* name = make_identifier();
-        check_standard_name(tokens_[name->first_token].range(), name->hash, NameUse::other);
+        check_standard_name(name->first_token, name->hash, NameUse::other);
         return name;
     }
     static constexpr TokenSet behind_parameter{TokenKind::assign, TokenKind::output_arrow};
@@ -351,7 +348,7 @@ const ast::Identifier* Parser::parse_declared_name(std::string_view what) {
     if (!at(TokenKind::identifier))
         return make_missing_identifier(what);
     const ast::Identifier* name = make_identifier();
-    check_standard_name(tokens_[name->first_token].range(), name->hash, NameUse::declaration);
+    check_standard_name(name->first_token, name->hash, NameUse::declaration);
     return name;
 }
 

@@ -68,24 +68,19 @@ OperatorRow operator_of_other_languages(std::string_view word, bool before_opera
     return {};
 }
 
-// What may be a binary operator, also one of another language or one that is misspelt.
-constexpr TokenSet possible_operators = [] {
-    TokenSet set{TokenKind::identifier,        TokenKind::assign,
-                 TokenKind::output_arrow,      TokenKind::equal_equal,
-                 TokenKind::exclamation_equal, TokenKind::caret};
+// How strong an operator of one token binds that is of this language; `doubtful` for what may be
+// another one, or none.
+constexpr std::uint8_t doubtful = 0xFF;
+constexpr auto plain_strengths = [] {
+    std::array<std::uint8_t, token_kind_count> table{};
     for (std::size_t i = 0; i < token_kind_count; ++i)
-        if (operator_table[i].strength > 0)
-            set = set | TokenSet{static_cast<TokenKind>(i)};
-    return set;
-}();
-
-// Operators of this language that are one token.
-constexpr TokenSet plain_operators = [] {
-    TokenSet set{};
-    for (std::size_t i = 0; i < token_kind_count; ++i)
-        if (operator_table[i].strength > 0 && operator_table[i].meant.empty())
-            set = set | TokenSet{static_cast<TokenKind>(i)};
-    return set;
+        table[i] = operator_table[i].meant.empty()
+                       ? static_cast<std::uint8_t>(operator_table[i].strength)
+                       : doubtful;
+    for (const TokenKind kind :
+         {TokenKind::identifier, TokenKind::assign, TokenKind::output_arrow, TokenKind::caret})
+        table[static_cast<std::size_t>(kind)] = doubtful;
+    return table;
 }();
 
 // What is part of the operator before it in other languages, or when they are apart.
@@ -173,57 +168,65 @@ const ast::Expression* Parser::parse_condition() {
 // term = power_expression { multiply_operator power_expression } ;
 // power_expression = unary_expression { "**" unary_expression } ;
 const ast::Expression* Parser::parse_binary(unsigned minimum) {
-    return parse_binary_rest(parse_unary(), minimum);
+    const ast::Expression* const left = at_plain_operand() ? parse_plain_operand() : parse_unary();
+    return at_operator() ? parse_binary_rest(left, minimum) : left;
+}
+
+/// At what is an operator, or may be one.
+bool Parser::at_operator() const noexcept {
+    return plain_strengths[static_cast<std::size_t>(kind())] != 0;
 }
 
 /// Part of expression: precedence climbing over Table 55; all operators associate to the left.
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
-    while (at(possible_operators)) {
-        if (at_plain_operator()) {
-            const OperatorRow& row = operator_table[static_cast<std::size_t>(kind())];
-            if (row.strength < minimum)
-                return left;
-            left = parse_operation(left, row.op, row.strength);
-            continue;
-        }
-        if (at_shift() && minimum <= relation) {
-            left = parse_shift(left);
-            continue;
-        }
-        OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
-        if (at(TokenKind::identifier))
-            row = operator_of_other_languages(text(at_), begins_operand_on_line(next(at_)));
-        else if (at_caret_for_power())
-            row = {8, ast::BinaryOperator::power, "**"};
-        const bool assign = in_condition_ && at(TokenKind::assign);
-        const TokenKind split = in_condition_ && at(TokenKind::output_arrow)
-                                    ? TokenKind::greater_equal
-                                    : split_operator();
-        if (assign)
-            row = {equality, ast::BinaryOperator::equal, {}};
-        else if (split != TokenKind::end_of_unit)
-            row = operator_row(split);
-        if (row.strength < minimum || row.strength == 0)
+    while (at_operator()) {
+        const unsigned strength = plain_strengths[static_cast<std::size_t>(kind())];
+        const bool plain = strength != doubtful && !in_instructions_ &&
+                           !second_halves.contains(tokens_[at_ + 1].kind());
+        if (plain && strength < minimum)
             return left;
-        if (in_instructions_ && at_line_end()) // the operator of the next instruction
+        const ast::Expression* const operation =
+            plain ? parse_operation(left, operator_table[static_cast<std::size_t>(kind())].op,
+                                    strength)
+                  : parse_doubtful_operation(left, minimum);
+        if (operation == nullptr)
             return left;
-        if (assign)
-            report_at(at_, DiagnosticId::assignment_for_equal).replace(token().range(), "=");
-        else if (split != TokenKind::end_of_unit)
-            accept_split_operator(split);
-        else if (!row.meant.empty())
-            report_at(at_, DiagnosticId::foreign_operator,
-                      {std::string(text(at_)), std::string(row.meant)})
-                .replace(token().range(), std::string(row.meant));
-        left = parse_operation(left, row.op, row.strength);
+        left = operation;
     }
     return left;
 }
 
-/// An operator of which no other reading has to be considered.
-bool Parser::at_plain_operator() const noexcept {
-    return at(plain_operators) && !second_halves.contains(tokens_[at_ + 1].kind()) &&
-           !in_instructions_;
+/// Part of expression: an operation whose operator may be another one than it seems. Null when it
+/// is none, or binds less than `minimum`.
+const ast::Expression* Parser::parse_doubtful_operation(const ast::Expression* left,
+                                                        unsigned minimum) {
+    if (at_shift() && minimum <= relation)
+        return parse_shift(left);
+    OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
+    if (at(TokenKind::identifier))
+        row = operator_of_other_languages(text(at_), begins_operand_on_line(next(at_)));
+    else if (at_caret_for_power())
+        row = {8, ast::BinaryOperator::power, "**"};
+    const bool assign = in_condition_ && at(TokenKind::assign);
+    const TokenKind split =
+        in_condition_ && at(TokenKind::output_arrow) ? TokenKind::greater_equal : split_operator();
+    if (assign)
+        row = {equality, ast::BinaryOperator::equal, {}};
+    else if (split != TokenKind::end_of_unit)
+        row = operator_row(split);
+    if (row.strength < minimum || row.strength == 0)
+        return nullptr;
+    if (in_instructions_ && at_line_end()) // the operator of the next instruction
+        return nullptr;
+    if (assign)
+        report_at(at_, DiagnosticId::assignment_for_equal).replace(token().range(), "=");
+    else if (split != TokenKind::end_of_unit)
+        accept_split_operator(split);
+    else if (!row.meant.empty())
+        report_at(at_, DiagnosticId::foreign_operator,
+                  {std::string(text(at_)), std::string(row.meant)})
+            .replace(token().range(), std::string(row.meant));
+    return parse_operation(left, row.op, row.strength);
 }
 
 /// Part of expression: an operator and its right operand.
@@ -323,7 +326,11 @@ void Parser::accept_split_operator(TokenKind meant) {
 // unary_operator = "-" | "NOT" ;
 const ast::Expression* Parser::parse_unary() {
     if (at_plain_operand())
-        return at(TokenKind::identifier) ? parse_variable_name() : parse_constant();
+        return parse_plain_operand();
+    if (at_plain_selection())
+        return check_function_call(parse_selectors(parse_plain_name()));
+    if (at(TokenKind::left_parenthesis))
+        return parse_parenthesized();
     if (at_signed_number())
         return parse_constant();
     const bool minus = at(TokenKind::minus);
@@ -362,6 +369,19 @@ const ast::Expression* Parser::parse_unary() {
 bool Parser::at_plain_operand() const noexcept {
     return at(plain_operands) && !token().first_on_line() &&
            behind_plain_operand.contains(tokens_[at_ + 1].kind());
+}
+
+/// Part of primary_expression: such a one.
+const ast::Expression* Parser::parse_plain_operand() {
+    return at(TokenKind::identifier) ? parse_plain_name() : parse_constant();
+}
+
+/// `name(`, `name.` or `name[`, which no other meaning is asked for either.
+bool Parser::at_plain_selection() const noexcept {
+    static constexpr TokenSet selectors{TokenKind::left_parenthesis, TokenKind::dot,
+                                        TokenKind::left_bracket};
+    return at(TokenKind::identifier) && !token().first_on_line() &&
+           selectors.contains(tokens_[at_ + 1].kind());
 }
 
 /// `NTO a`
@@ -538,10 +558,7 @@ const ast::Expression* Parser::parse_parenthesized() {
 /// Part of primary_expression: `AND(a, b)` and its like, an operator that stands for the function
 /// of its name (6.1 D25).
 const ast::Expression* Parser::parse_operator_call() {
-    auto* name = make<ast::VariableName>();
-    name->hash = hash_name(text(at_));
-    advance();
-    return parse_selectors(finish(name));
+    return parse_selectors(take_name<ast::VariableName>());
 }
 
 /// At an operator that is also a function: true when `name :=` or `name =>` follows the
@@ -562,16 +579,24 @@ const ast::Expression* Parser::parse_variable() {
 
 // variable_name = identifier ;
 const ast::Expression* Parser::parse_variable_name() {
-    const bool identifier = at(TokenKind::identifier);
-    if (!identifier && (!at(execution_control) || used_as_name(kind())))
+    if (at(TokenKind::identifier))
+        return parse_plain_name();
+    if (!at(execution_control) || used_as_name(kind()))
         report_reserved_word(at_);
-    auto* name = make<ast::VariableName>();
-    name->hash = hash_name(text(at_));
-    const std::uint32_t word = advance();
-    if (identifier)
-        check_standard_name(tokens_[word].range(), name->hash,
-                            at(TokenKind::left_parenthesis) ? NameUse::call : NameUse::other);
-    return finish(name);
+    return take_name<ast::VariableName>();
+}
+
+/// Part of variable_name: an identifier.
+const ast::Expression* Parser::parse_plain_name() {
+    const auto* name = take_name<ast::VariableName>();
+    return may_be_standard_name(text(name->first_token), name->hash) ? check_variable_name(name)
+                                                                     : name;
+}
+
+const ast::VariableName* Parser::check_variable_name(const ast::VariableName* name) {
+    check_name_of_standard(tokens_[name->first_token].range(), name->hash,
+                           at(TokenKind::left_parenthesis) ? NameUse::call : NameUse::other);
+    return name;
 }
 
 // array_variable = subscripted_variable subscript_list ;
@@ -750,9 +775,7 @@ const ast::PartSelector* Parser::parse_part_selector() {
     default: break;
     }
     report_at(at_, DiagnosticId::bit_access, {part + std::string(words.substr(2))});
-    auto* node = make<ast::PartSelector>();
-    advance();
-    return finish(node);
+    return take<ast::PartSelector>();
 }
 
 /// EN and ENO have no parts, and are nothing that is called (6.1 D24).

@@ -516,8 +516,7 @@ const ast::IlOperation* Parser::parse_il_simple_operation(const IlOperatorRow& r
 const ast::IlOperation* Parser::parse_il_function() {
     auto* node = make<ast::IlSimpleOperation>();
     node->function_name = make_identifier();
-    check_standard_name(tokens_[node->function_name->first_token].range(),
-                        node->function_name->hash, NameUse::call);
+    check_standard_name(node->function_name->first_token, node->function_name->hash, NameUse::call);
     ListBuilder<ast::Expression> operands(*this);
     if (!at_end_of_operands()) {
         operands.add(parse_il_operand());
@@ -719,7 +718,7 @@ const ast::IlOperation* Parser::parse_too_deep_operation(std::uint32_t depth) {
 const ast::IlOperation* Parser::parse_il_formal_funct_call() {
     const std::uint32_t word = advance();
     const ast::Identifier* name = make_identifier_of(word);
-    check_standard_name(tokens_[word].range(), name->hash, NameUse::call);
+    check_standard_name(word, name->hash, NameUse::call);
     if (!at_argument_lines() && peek() != TokenKind::right_parenthesis)
         return parse_operands_in_parentheses(name, advance(), nullptr);
     expect_parenthesis_of_arguments();
@@ -833,7 +832,7 @@ void Parser::report_missing_instance(std::uint32_t word) {
 
 // Part of il_fb_call: fb_name
 const ast::Expression* Parser::parse_called_instance() {
-    const TextRange first = token().range();
+    const std::uint32_t first = at_;
     const ast::Expression* instance = parse_il_variable();
     if (const auto* name = ast::as<ast::VariableName>(instance))
         check_standard_name(first, name->hash, NameUse::other);

@@ -70,10 +70,10 @@ public:
 
 private:
     // ---- cursor.cpp: tokens ---------------------------------------------------------------------
-    [[nodiscard]] TokenKind kind() const noexcept { return tokens_[at_].kind(); }
+    [[nodiscard]] TokenKind kind() const noexcept { return kind_; }
     [[nodiscard]] const Token& token() const noexcept { return tokens_[at_]; }
-    [[nodiscard]] bool at(TokenKind kind) const noexcept { return tokens_[at_].kind() == kind; }
-    [[nodiscard]] bool at(const TokenSet& set) const noexcept { return set.contains(kind()); }
+    [[nodiscard]] bool at(TokenKind kind) const noexcept { return kind_ == kind; }
+    [[nodiscard]] bool at(const TokenSet& set) const noexcept { return set.contains(kind_); }
     [[nodiscard]] bool at_end() const noexcept { return at(TokenKind::end_of_unit); }
     /// Index of the token behind `index`; tokens that the lexer could not read are passed over.
     [[nodiscard]] std::uint32_t next(std::uint32_t index) const noexcept {
@@ -102,11 +102,19 @@ private:
 
     std::uint32_t advance() noexcept {
         const std::uint32_t index = at_;
-        if (!at_end()) {
-            end_ = index + 1;
-            at_ = next(index);
-        }
+        if (at_end())
+            return index;
+        end_ = index + 1;
+        std::uint32_t behind = index;
+        do
+            ++behind;
+        while (tokens_[behind].kind() == TokenKind::unknown);
+        move_to(behind);
         return index;
+    }
+    void move_to(std::uint32_t index) noexcept {
+        at_ = index;
+        kind_ = tokens_[index].kind();
     }
     bool accept(TokenKind kind) noexcept {
         if (!at(kind))
@@ -132,6 +140,26 @@ private:
         T* node = create<T>();
         node->first_token = at_;
         node->end_token = at_;
+        return node;
+    }
+    /// A node of the current token alone, which is not the end, and is taken.
+    template<class T>
+    T* take() {
+        T* node = arena_.create<T>();
+        node->first_token = at_;
+        node->end_token = at_ + 1;
+        advance();
+        return node;
+    }
+    /// The same of a name.
+    template<class T>
+    T* take_name() {
+        T* node = arena_.create<T>();
+        const Token word = token();
+        node->first_token = at_;
+        node->end_token = at_ + 1;
+        node->hash = detail::hash_name_within(text_, word.offset(), word.length());
+        advance();
         return node;
     }
     /// A node that begins where `first`, already parsed, does.
@@ -298,9 +326,10 @@ private:
     [[nodiscard]] std::string free_suffix(std::string_view word) const;
     const ast::Identifier* take_reserved_word();
     enum class NameUse : std::uint8_t { declaration, type, call, other };
-    void check_standard_name(TextRange range, std::uint32_t hash, NameUse use) {
-        if (may_be_standard_name({text_.data() + range.begin, range.size()}, hash))
-            check_name_of_standard(range, hash, use);
+    /// About a token, of which `hash` is the hash.
+    void check_standard_name(std::uint32_t word, std::uint32_t hash, NameUse use) {
+        if (may_be_standard_name(text(word), hash))
+            check_name_of_standard(tokens_[word].range(), hash, use);
     }
     void check_name_of_standard(TextRange range, std::uint32_t hash, NameUse use);
     [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
@@ -610,8 +639,11 @@ private:
     const ast::Expression* parse_expression();
     const ast::Expression* parse_condition();
     const ast::Expression* parse_binary(unsigned minimum);
-    [[nodiscard]] bool at_plain_operator() const noexcept;
+    const ast::Expression* parse_doubtful_operation(const ast::Expression* left, unsigned minimum);
+    [[nodiscard]] bool at_operator() const noexcept;
     [[nodiscard]] bool at_plain_operand() const noexcept;
+    const ast::Expression* parse_plain_operand();
+    [[nodiscard]] bool at_plain_selection() const noexcept;
     const ast::Expression* parse_operation(const ast::Expression* left, ast::BinaryOperator op,
                                            unsigned strength);
     const ast::Expression* parse_binary_rest(const ast::Expression* left, unsigned minimum);
@@ -623,6 +655,8 @@ private:
     const ast::Expression* parse_operator_call();
     const ast::Expression* parse_variable();
     const ast::Expression* parse_variable_name();
+    const ast::Expression* parse_plain_name();
+    const ast::VariableName* check_variable_name(const ast::VariableName* name);
     const ast::Expression* parse_selectors(const ast::Expression* head);
     const ast::Expression* parse_subscripts(const ast::Expression* head);
     const ast::Expression* parse_field(const ast::Expression* head);
@@ -929,7 +963,8 @@ private:
     std::uint32_t count_;                 // without end_of_unit
     std::span<const Diagnostic> lexical_; // what the lexer reported
     std::uint32_t opener_;                // see UnitCut
-    std::uint32_t at_ = 0;                // current token
+    std::uint32_t at_ = 0;                // current token; only move_to() changes it
+    TokenKind kind_{};                    // its kind, which nearly all questions are about
     std::uint32_t end_ = 0;               // one past the last token consumed
     std::uint32_t nesting_ = 0;
     bool nesting_reported_ = false;

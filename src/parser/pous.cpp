@@ -104,9 +104,7 @@ const ast::TypeSpecification* Parser::parse_result_type() {
                             peek_second() == TokenKind::identifier &&
                             tokens_[next(next(next(at_)))].kind() == TokenKind::colon;
     if (parameters) { // `FUNCTION f : INT (a : INT)`
-        auto* name = make<ast::ElementaryTypeName>();
-        advance();
-        finish(name);
+        const auto* name = take<ast::ElementaryTypeName>();
         skip_parameters();
         return name;
     }

@@ -499,9 +499,7 @@ const ast::Statement* Parser::parse_word_statement() {
         }
         return finish(exit);
     }
-    auto* node = make<ast::ReturnStatement>();
-    advance();
-    return finish(node);
+    return take<ast::ReturnStatement>();
 }
 
 /// Part of statement: what begins with a variable, which is an assignment or the invocation of a

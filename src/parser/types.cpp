@@ -229,13 +229,11 @@ const ast::TypeSpecification* Parser::parse_missing_type() {
 // structure_type_name = identifier ;
 // string_type_name = identifier ;
 const ast::TypeSpecification* Parser::parse_type_name() {
-    auto* node = make<ast::DerivedTypeName>();
-    node->hash = hash_name(text(at_));
     const bool identifier = at(TokenKind::identifier);
-    const std::uint32_t word = advance();
+    const auto* node = take_name<ast::DerivedTypeName>();
     if (identifier)
-        check_standard_name(tokens_[word].range(), node->hash, NameUse::type);
-    return finish(node);
+        check_standard_name(node->first_token, node->hash, NameUse::type);
+    return node;
 }
 
 /// Part of simple_specification, subrange_specification: what begins with the name of a type.
@@ -297,9 +295,7 @@ const ast::TypeSpecification* Parser::parse_elementary_type() {
     const TokenKind type = kind();
     if (is_generic_type_name(type))
         report_at(at_, DiagnosticId::generic_type_in_declaration, {std::string(text(at_))});
-    auto* node = make<ast::ElementaryTypeName>();
-    advance();
-    finish(node);
+    const auto* node = take<ast::ElementaryTypeName>();
     const bool string = string_type_names.contains(type);
     if (string && (at(TokenKind::left_bracket) || at(TokenKind::left_parenthesis)))
         return parse_string_specification(node);
@@ -1007,7 +1003,7 @@ void Parser::check_enumerated_value_names(std::uint32_t token) {
             report(DiagnosticId::reserved_word_as_name, range, {std::string(name)})
                 .replace(range, std::string(name) + "_1");
         else
-            check_standard_name(range, hash_name(name), NameUse::other);
+            check_name_of_standard(range, hash_name(name), NameUse::other);
     }
 }
 

@@ -616,9 +616,7 @@ void Parser::parse_location_behind_type(std::uint32_t declaration, std::uint32_t
 
 // direct_variable = "%" location_prefix size_prefix integer { "." integer } ;
 const ast::Expression* Parser::parse_direct_variable() {
-    auto* node = make<ast::DirectVariable>();
-    advance();
-    return finish(node);
+    return take<ast::DirectVariable>();
 }
 
 // Part of edge_declaration: ( "R_EDGE" | "F_EDGE" )

@@ -1,6 +1,11 @@
 #include <iecfront/lexer/name.hpp>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <string>
+#include <string_view>
 
 using namespace iecfront;
 
@@ -22,6 +27,26 @@ TEST(Name, LengthIsSignificant) {
     EXPECT_FALSE(names_equal("", "A"));
     EXPECT_TRUE(names_equal("", ""));
     EXPECT_EQ(folded(""), "");
+}
+
+// What is loaded eight bytes at a time, and with what stands before a name, is what a compiler
+// computes from single bytes.
+TEST(Name, HashDoesNotDependOnWhereTheNameStands) {
+    constexpr std::string_view text = "aZ_09bYc1_X8dWv7E_u6Ft";
+    constexpr auto hashes = [text] {
+        std::array<std::uint32_t, text.size() + 1> of_prefixes{};
+        for (std::size_t size = 0; size <= text.size(); ++size)
+            of_prefixes[size] = hash_name(text.substr(0, size));
+        return of_prefixes;
+    }();
+    for (std::size_t size = 0; size <= text.size(); ++size)
+        for (std::size_t before = 0; before < 10; ++before)
+            for (std::size_t behind = 0; behind < 10; ++behind) {
+                const std::string name(text.substr(0, size));
+                const std::string all = std::string(before, '~') + name + std::string(behind, '}');
+                EXPECT_EQ(hash_name(name), hashes[size]) << name;
+                EXPECT_EQ(detail::hash_name_within(all, before, size), hashes[size]) << all;
+            }
 }
 
 TEST(Name, OnlyLettersOfAsciiFold) {

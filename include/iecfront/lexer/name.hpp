@@ -24,11 +24,16 @@ namespace detail {
 // `size` bytes, at most eight, as a number whose lowest byte is the first.
 [[nodiscard]] constexpr std::uint64_t load_bytes(const char* bytes, std::size_t size) noexcept {
     std::uint64_t word = 0;
-    if (std::is_constant_evaluated() || std::endian::native != std::endian::little || size < 4) {
+    const auto byte = [bytes](std::size_t i) {
+        return std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+    };
+    if (std::is_constant_evaluated() || std::endian::native != std::endian::little) {
         for (std::size_t i = 0; i < size; ++i)
-            word |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+            word |= byte(i);
         return word;
     }
+    if (size < 4) // first, middle and last, which may be the same
+        return size == 0 ? 0 : byte(0) | byte(size / 2) | byte(size - 1);
     if (size == sizeof(word)) {
         std::memcpy(&word, bytes, sizeof(word));
         return word;
@@ -52,24 +57,58 @@ namespace detail {
 
 } // namespace detail
 
-/// Hash of a name with its case folded: names that differ in case only have the same (2.1.2).
-[[nodiscard]] constexpr std::uint32_t hash_name(std::string_view name) noexcept {
+namespace detail {
+
+// `fold_bytes` for what a name is made of: a letter is the only byte of it, but for `_`, that has
+// this bit, and in `_` the one that tells small letters from capitals is not set.
+[[nodiscard]] constexpr std::uint64_t fold_name_bytes(std::uint64_t word) noexcept {
+    constexpr std::uint64_t letter_bits = 0x4040404040404040U;
+    return word & ~((word & letter_bits) >> 1);
+}
+
+// Takes the next bytes of a name into its hash.
+[[nodiscard]] constexpr std::uint64_t mix_name(std::uint64_t hash, std::uint64_t bytes) noexcept {
+    hash ^= fold_name_bytes(bytes);
+    hash *= 0x9E3779B97F4A7C15U; // odd, of mixed bits; what it mixes is in the upper half
+    return hash ^ hash >> 32;
+}
+
+// `hash_name` of more than eight bytes.
+[[nodiscard]] constexpr std::uint32_t hash_long_name(std::string_view name) noexcept {
     constexpr std::size_t step = sizeof(std::uint64_t);
     std::uint64_t hash = name.size();
-    const auto mix = [&](std::size_t begin, std::size_t size) {
-        hash ^= detail::fold_bytes(detail::load_bytes(name.data() + begin, size));
-        hash *= 0x9E3779B97F4A7C15U; // odd, of mixed bits; what it mixes is in the upper half
-        hash ^= hash >> 32;
-    };
-    if (name.size() < step) {
-        mix(0, name.size());
-        return static_cast<std::uint32_t>(hash);
-    }
     for (std::size_t i = step; i < name.size(); i += step)
-        mix(i - step, step);
-    mix(name.size() - step, step); // overlaps with what is before it
-    return static_cast<std::uint32_t>(hash);
+        hash = mix_name(hash, load_bytes(name.data() + i - step, step));
+    const char* const last = name.data() + name.size() - step; // overlaps with what is before it
+    return static_cast<std::uint32_t>(mix_name(hash, load_bytes(last, step)));
 }
+
+} // namespace detail
+
+/// Hash of a name with its case folded: names that differ in case only have the same (2.1.2).
+[[nodiscard]] constexpr std::uint32_t hash_name(std::string_view name) noexcept {
+    if (name.size() > sizeof(std::uint64_t))
+        return detail::hash_long_name(name);
+    return static_cast<std::uint32_t>(
+        detail::mix_name(name.size(), detail::load_bytes(name.data(), name.size())));
+}
+
+namespace detail {
+
+// `hash_name` of the `size` bytes at `begin` in a text. A short name is loaded at once, with what
+// is before it.
+[[nodiscard]] inline std::uint32_t hash_name_within(std::string_view text, std::size_t begin,
+                                                    std::size_t size) noexcept {
+    constexpr std::size_t step = sizeof(std::uint64_t);
+    if (size > step)
+        return hash_long_name({text.data() + begin, size});
+    if (begin + size < step || size == 0)
+        return hash_name({text.data() + begin, size});
+    const std::uint64_t bytes = load_bytes(text.data() + begin + size - step, step);
+    return static_cast<std::uint32_t>(mix_name(size, bytes >> (8 * (step - size))));
+}
+
+} // namespace detail
 
 /// True when both are the same name: equal but for case.
 [[nodiscard]] constexpr bool names_equal(std::string_view a, std::string_view b) noexcept {
