@@ -145,7 +145,7 @@ private:
     /// A node of the current token alone, which is not the end, and is taken.
     template<class T>
     T* take() {
-        T* node = arena_.create<T>();
+        T* node = create<T>();
         node->first_token = at_;
         node->end_token = at_ + 1;
         advance();
@@ -154,7 +154,7 @@ private:
     /// The same of a name.
     template<class T>
     T* take_name() {
-        T* node = arena_.create<T>();
+        T* node = create<T>();
         const Token word = token();
         node->first_token = at_;
         node->end_token = at_ + 1;

@@ -17,6 +17,10 @@ public:
     ParserArena() = default;
     explicit ParserArena(std::size_t capacity) : Arena(capacity) { clear(); }
 
+    /// The parser has to be ready for there being no room.
+    template<class T>
+    T* create() = delete;
+
     /// Takes back all.
     void clear() noexcept {
         rewind(0);
