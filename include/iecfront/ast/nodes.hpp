@@ -91,43 +91,6 @@ constexpr void for_each_child(const Node& node, Function&& function) {
     });
 }
 
-/// The same from the last one to the first, for a `node` whose struct is known.
-template<class Struct, class Function>
-constexpr void for_each_child_backwards(const Struct& node, Function&& function) {
-    const auto each = [&](const auto& member) {
-        using Member = std::remove_cvref_t<decltype(member)>;
-        if constexpr (is_child_member<Member>) {
-            if (const Node* const child = member.get(); child != nullptr)
-                function(*child);
-        } else if constexpr (is_list_member<Member>) {
-            for (std::size_t i = member.size(); i > 0; --i)
-                function(static_cast<const Node&>(*member[i - 1]));
-        }
-    };
-    constexpr std::size_t count = std::tuple_size_v<decltype(Struct::members())>;
-    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-        (each(node.*(std::get<count - 1 - Index>(Struct::members()).pointer)), ...);
-    }
-    (std::make_index_sequence<count>());
-}
-
-/// No more children than these has `node`, whose struct is known.
-template<class Struct>
-[[nodiscard]] constexpr std::size_t child_bound(const Struct& node) noexcept {
-    const auto bound = [](const auto& member) -> std::size_t {
-        using Member = std::remove_cvref_t<decltype(member)>;
-        if constexpr (is_list_member<Member>)
-            return member.size();
-        else
-            return is_child_member<Member> ? 1 : 0;
-    };
-    return std::apply(
-        [&](const auto&... member) {
-            return (std::size_t{0} + ... + bound(node.*(member.pointer)));
-        },
-        Struct::members());
-}
-
 namespace detail {
 
 /// True of a struct with a member for children.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iecfront/ast/nodes.hpp>
+#include <iecfront/export.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -16,40 +17,23 @@ enum class Walk : std::uint8_t {
 
 namespace detail {
 
-/// Nodes that a traversal has still to come to, the next one on top. `Entry` is made of a pointer
-/// to a node.
-template<class Entry>
+/// Nodes that a traversal has still to come to, the next one on top.
 class PendingNodes {
 public:
-    explicit PendingNodes(const Node& root) { push(root); }
+    /// Of a traversal that begins at `root`.
+    explicit PendingNodes(const Node& root) : nodes_(128) { nodes_[size_++] = &root; }
     PendingNodes(const PendingNodes&) = delete;
     PendingNodes& operator=(const PendingNodes&) = delete;
 
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    [[nodiscard]] Entry& top() noexcept { return entries_[size_ - 1]; }
-    Entry pop() noexcept { return entries_[--size_]; }
-
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    /// Takes the one on top.
+    const Node& pop() noexcept { return *nodes_[--size_]; }
     /// The first child of `node` comes to the top.
-    void push_children(const Node& node) {
-        dispatch(node, [this](const auto& typed) {
-            make_room(child_bound(typed));
-            Entry* end = entries_.data() + size_;
-            for_each_child_backwards(typed, [&end](const Node& child) { *end++ = Entry{&child}; });
-            size_ = static_cast<std::size_t>(end - entries_.data());
-        });
-    }
+    IECFRONT_API void push_children(const Node& node);
 
 private:
-    void push(const Node& node) {
-        make_room(1);
-        entries_[size_++] = Entry{&node};
-    }
-    void make_room(std::size_t count) {
-        if (entries_.size() - size_ < count)
-            entries_.resize(2 * entries_.size() + count);
-    }
-
-    std::vector<Entry> entries_ = std::vector<Entry>(128); // those behind `size_` are not used
+    std::vector<const Node*> nodes_; // those from `size_` on are not used
     std::size_t size_ = 0;
 };
 
@@ -60,24 +44,22 @@ private:
 /// however deep the tree. Returns false when it was stopped.
 template<class Enter, class Leave>
 bool walk(const Node& root, Enter&& enter, Leave&& leave) {
-    struct Entry {
-        const Node* node = nullptr;
-        bool leaving = false;
+    struct Open {
+        const Node* node;
+        std::size_t pending; // when all its children are done
     };
-    detail::PendingNodes<Entry> pending(root);
+    std::vector<Open> open;
+    detail::PendingNodes pending(root);
     while (!pending.empty()) {
-        const Entry entry = pending.top();
-        if (entry.leaving) {
-            pending.pop();
-            leave(*entry.node);
-            continue;
-        }
-        const Walk next = enter(*entry.node);
+        const Node& node = pending.pop();
+        const Walk next = enter(node);
         if (next == Walk::stop)
             return false;
-        pending.top().leaving = true;
-        if (next == Walk::into && can_have_children(entry.node->kind))
-            pending.push_children(*entry.node);
+        open.push_back({&node, pending.size()});
+        if (next == Walk::into && can_have_children(node.kind))
+            pending.push_children(node);
+        for (; !open.empty() && open.back().pending == pending.size(); open.pop_back())
+            leave(*open.back().node);
     }
     return true;
 }
@@ -85,9 +67,9 @@ bool walk(const Node& root, Enter&& enter, Leave&& leave) {
 /// The same without `leave`.
 template<class Enter>
 bool walk(const Node& root, Enter&& enter) {
-    detail::PendingNodes<const Node*> pending(root);
+    detail::PendingNodes pending(root);
     while (!pending.empty()) {
-        const Node& node = *pending.pop();
+        const Node& node = pending.pop();
         const Walk next = enter(node);
         if (next == Walk::stop)
             return false;
