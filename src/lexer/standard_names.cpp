@@ -182,21 +182,18 @@ constexpr NameTable<name_count> name_table(names);
 
 // The names that are built from others end in a type; DAY is the end of TIME_OF_DAY.
 [[nodiscard]] bool ends_in_type(std::string_view name) noexcept {
-    const std::size_t underscore = name.rfind('_');
-    if (underscore == std::string_view::npos)
-        return false;
-    const std::string_view last = name.substr(underscore + 1);
-    return is_elementary_type_name(keyword_kind(last)) || names_equal(last, "DAY");
+    constexpr std::size_t longest = std::string_view("WSTRING").size();
+    for (std::size_t size = 2; size <= longest && size < name.size(); ++size)
+        if (name[name.size() - size - 1] == '_') {
+            const std::string_view last = name.substr(name.size() - size);
+            return is_elementary_type_name(keyword_kind(last)) || names_equal(last, "DAY");
+        }
+    return false;
 }
 
 } // namespace
 
-constinit const detail::HashSet detail::standard_name_hashes = [] {
-    HashSet hashes{};
-    for (std::size_t i = 0; i < name_count; ++i)
-        hashes.add(hash_name(names[i]));
-    return hashes;
-}();
+constinit const detail::LengthsByHash detail::standard_name_lengths(names);
 
 StandardName find_standard_name(std::string_view name, std::uint32_t hash) noexcept {
     if (name.size() > longest_name)

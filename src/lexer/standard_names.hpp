@@ -13,21 +13,43 @@ namespace iecfront {
 
 namespace detail {
 
-// The hashes of some names, shortened to ten bits.
-class HashSet {
+// How long the name is that has some hash, as far as eleven bits tell.
+class LengthsByHash {
 public:
-    constexpr void add(std::uint32_t hash) noexcept { holds_[hash % size] = true; }
-    [[nodiscard]] constexpr bool may_hold(std::uint32_t hash) const noexcept {
-        return holds_[hash % size];
+    template<std::size_t Count>
+    explicit consteval LengthsByHash(const std::array<std::string_view, Count>& names) {
+        while (!add_all(names))
+            ++shift_; // the bits where names of different lengths have the same value
+    }
+    [[nodiscard]] constexpr bool may_hold(std::string_view name,
+                                          std::uint32_t hash) const noexcept {
+        return lengths_[slot(hash)] == name.size();
     }
 
 private:
-    static constexpr std::size_t size = 1024;
-    std::array<bool, size> holds_{};
+    static constexpr std::size_t size = 2048;
+
+    template<std::size_t Count>
+    constexpr bool add_all(const std::array<std::string_view, Count>& names) {
+        lengths_ = {};
+        for (const std::string_view name : names) {
+            std::uint8_t& length = lengths_[slot(hash_name(name))];
+            if (length != 0 && length != name.size())
+                return false;
+            length = static_cast<std::uint8_t>(name.size());
+        }
+        return true;
+    }
+    [[nodiscard]] constexpr std::size_t slot(std::uint32_t hash) const noexcept {
+        return (hash >> shift_) % size;
+    }
+
+    std::uint32_t shift_ = 0;
+    std::array<std::uint8_t, size> lengths_{};
 };
 
 // Of the names that are listed.
-extern const HashSet standard_name_hashes;
+extern const LengthsByHash standard_name_lengths;
 
 // The last two letters of the elementary types, and of TIME_OF_DAY, in which the names end that are
 // not listed: for each last letter the ones before it, as bits. Other bytes may pass for letters.
@@ -54,7 +76,8 @@ inline constexpr LastLetters last_letters_of_types{"RD", "OD", "ME", "TE", "NG",
 
 // False for most names that are none of the standard; `hash` is the `hash_name` of `name`.
 [[nodiscard]] inline bool may_be_standard_name(std::string_view name, std::uint32_t hash) noexcept {
-    return detail::standard_name_hashes.may_hold(hash) || detail::last_letters_of_types.end(name);
+    return detail::standard_name_lengths.may_hold(name, hash) ||
+           detail::last_letters_of_types.end(name);
 }
 
 // What `standard_name` gives, for who has the `hash_name` of `name` already.

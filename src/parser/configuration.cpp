@@ -115,7 +115,7 @@ const ast::ResourceDeclaration* Parser::parse_resource_declaration() {
     auto* node = make<ast::ResourceDeclaration>();
     open_block(TokenKind::kw_end_resource, at_);
     if (at_resource_without_word()) {
-        ++unclosed(TokenKind::kw_end_resource);
+        change_unclosed(TokenKind::kw_end_resource, 1);
         report_missing(DiagnosticId::missing_token, {"`RESOURCE`"})
             .insert(token().offset(), "RESOURCE ");
     } else {
@@ -195,7 +195,7 @@ const ast::Node* Parser::parse_configuration_element(Place place) {
     }
     switch (meant) {
     case TokenKind::kw_resource:
-        unclosed(TokenKind::kw_end_resource) += at(TokenKind::identifier) ? 1 : 0;
+        change_unclosed(TokenKind::kw_end_resource, at(TokenKind::identifier) ? 1 : 0);
         return parse_resource_declaration();
     case TokenKind::kw_task: {
         const auto* task = parse_task_configuration();

@@ -19,27 +19,7 @@ ast::NodeKind typed_literal_kind(std::string_view text) noexcept {
                                      : ast::NodeKind::integer_literal;
 }
 
-ast::NodeKind literal_kind(TokenKind kind, std::string_view text) noexcept {
-    switch (kind) {
-    case TokenKind::real: return ast::NodeKind::real_literal;
-    case TokenKind::typed_literal: return typed_literal_kind(text);
-    case TokenKind::single_byte_string:
-    case TokenKind::double_byte_string: return ast::NodeKind::character_string;
-    case TokenKind::duration: return ast::NodeKind::duration;
-    case TokenKind::time_of_day: return ast::NodeKind::time_of_day;
-    case TokenKind::date: return ast::NodeKind::date;
-    case TokenKind::date_and_time: return ast::NodeKind::date_and_time;
-    case TokenKind::kw_true:
-    case TokenKind::kw_false: return ast::NodeKind::boolean_literal;
-    default: return ast::NodeKind::integer_literal;
-    }
-}
-
 } // namespace
-
-bool Parser::at_literal() const noexcept {
-    return at(literals);
-}
 
 /// True at `+` or `-` with a decimal number directly behind it: the sign is part of the constant.
 bool Parser::at_signed_number() const noexcept {
@@ -53,21 +33,36 @@ const ast::Expression* Parser::parse_constant() {
     const std::uint32_t first = at_;
     if (at(TokenKind::minus) || at(TokenKind::plus))
         advance();
-    const auto build = [&]<class T>(T* node) -> const ast::Expression* {
+    return parse_literal(first);
+}
+
+/// Part of constant: the literal behind its sign, which is the token `first` or not there.
+const ast::Expression* Parser::parse_literal(std::uint32_t first) {
+    const auto take = [&]<class T>(T* node) -> const ast::Expression* {
         node->first_token = first;
-        node->literal_token = advance();
-        return finish(node);
+        node->literal_token = at_;
+        node->end_token = at_ + 1;
+        advance();
+        return node;
     };
-    switch (literal_kind(kind(), text(at_))) {
-    case ast::NodeKind::real_literal: return build(make<ast::RealLiteral>());
-    case ast::NodeKind::bit_string_literal: return build(make<ast::BitStringLiteral>());
-    case ast::NodeKind::boolean_literal: return build(make<ast::BooleanLiteral>());
-    case ast::NodeKind::character_string: return build(make<ast::CharacterString>());
-    case ast::NodeKind::duration: return build(make<ast::Duration>());
-    case ast::NodeKind::time_of_day: return build(make<ast::TimeOfDay>());
-    case ast::NodeKind::date: return build(make<ast::Date>());
-    case ast::NodeKind::date_and_time: return build(make<ast::DateAndTime>());
-    default: return build(make<ast::IntegerLiteral>());
+    switch (kind()) {
+    case TokenKind::real: return take(create<ast::RealLiteral>());
+    case TokenKind::single_byte_string:
+    case TokenKind::double_byte_string: return take(create<ast::CharacterString>());
+    case TokenKind::duration: return take(create<ast::Duration>());
+    case TokenKind::time_of_day: return take(create<ast::TimeOfDay>());
+    case TokenKind::date: return take(create<ast::Date>());
+    case TokenKind::date_and_time: return take(create<ast::DateAndTime>());
+    case TokenKind::kw_true:
+    case TokenKind::kw_false: return take(create<ast::BooleanLiteral>());
+    case TokenKind::typed_literal: break;
+    default: return take(create<ast::IntegerLiteral>());
+    }
+    switch (typed_literal_kind(text(at_))) {
+    case ast::NodeKind::real_literal: return take(create<ast::RealLiteral>());
+    case ast::NodeKind::bit_string_literal: return take(create<ast::BitStringLiteral>());
+    case ast::NodeKind::boolean_literal: return take(create<ast::BooleanLiteral>());
+    default: return take(create<ast::IntegerLiteral>());
     }
 }
 

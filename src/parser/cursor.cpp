@@ -138,9 +138,7 @@ void* Parser::allocate_from_reserve(std::size_t size, std::size_t alignment) {
     return arena_.allocate(size, alignment);
 }
 
-bool Parser::NestingGuard::too_deep() const {
-    if (parser_.nesting_ <= parser_.options_.maximum_nesting)
-        return false;
+bool Parser::NestingGuard::report() const {
     if (!std::exchange(parser_.nesting_reported_, true))
         parser_.report(DiagnosticId::nesting_too_deep, parser_.token().range(),
                        {std::uint64_t{parser_.options_.maximum_nesting}});
@@ -342,14 +340,15 @@ const ast::Identifier* Parser::parse_declared_name(std::string_view what) {
                                          TokenKind::kw_on,
                                          TokenKind::kw_with,
                                          TokenKind::right_parenthesis};
+    if (at(TokenKind::identifier)) {
+        const auto* name = take_name<ast::Identifier>();
+        check_standard_name(name->first_token, name->hash, NameUse::declaration);
+        return name;
+    }
     const bool alone = at_operand_keyword() && tokens_[next(at_)].first_on_line();
     if (is_keyword(kind()) && (after_name.contains(peek()) || alone))
         return take_reserved_word();
-    if (!at(TokenKind::identifier))
-        return make_missing_identifier(what);
-    const ast::Identifier* name = make_identifier();
-    check_standard_name(name->first_token, name->hash, NameUse::declaration);
-    return name;
+    return make_missing_identifier(what);
 }
 
 // function_name = standard_function_name | derived_function_name ;
@@ -397,7 +396,9 @@ bool Parser::at_keyword_for_variable() {
                                              TokenKind::comma};
     static constexpr TokenSet behind_operand{TokenKind::semicolon, TokenKind::right_parenthesis,
                                              TokenKind::comma};
-    if (!words.contains(kind()))
+    static constexpr TokenSet behind_variable =
+        behind_operand | TokenSet{TokenKind::assign, TokenKind::dot};
+    if (!words.contains(kind()) || !behind_variable.contains(peek()))
         return false;
     const bool operand = at_ > 0 && before_operand.contains(tokens_[at_ - 1].kind()) &&
                          !token().first_on_line() && behind_operand.contains(peek());

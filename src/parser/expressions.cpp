@@ -8,6 +8,13 @@
 #include <utility>
 
 namespace iecfront {
+
+/// What a token means as an operator: which one, and how strong it binds; 0 is none.
+struct OperatorReading {
+    std::uint8_t strength = 0;
+    ast::BinaryOperator op = ast::BinaryOperator::power;
+};
+
 namespace {
 
 /// A row of Table 55. A larger `strength` binds tighter; 0 is no operator.
@@ -68,18 +75,17 @@ OperatorRow operator_of_other_languages(std::string_view word, bool before_opera
     return {};
 }
 
-// How strong an operator of one token binds that is of this language; `doubtful` for what may be
-// another one, or none.
+// Operators of one token and of this language; `doubtful` is what may be another one, or none.
 constexpr std::uint8_t doubtful = 0xFF;
-constexpr auto plain_strengths = [] {
-    std::array<std::uint8_t, token_kind_count> table{};
-    for (std::size_t i = 0; i < token_kind_count; ++i)
-        table[i] = operator_table[i].meant.empty()
-                       ? static_cast<std::uint8_t>(operator_table[i].strength)
-                       : doubtful;
+constexpr auto plain_operators = [] {
+    std::array<OperatorReading, token_kind_count> table{};
+    for (std::size_t i = 0; i < token_kind_count; ++i) {
+        const OperatorRow& row = operator_table[i];
+        table[i] = {row.meant.empty() ? static_cast<std::uint8_t>(row.strength) : doubtful, row.op};
+    }
     for (const TokenKind kind :
          {TokenKind::identifier, TokenKind::assign, TokenKind::output_arrow, TokenKind::caret})
-        table[static_cast<std::size_t>(kind)] = doubtful;
+        table[static_cast<std::size_t>(kind)].strength = doubtful;
     return table;
 }();
 
@@ -174,34 +180,39 @@ const ast::Expression* Parser::parse_binary(unsigned minimum) {
 
 /// At what is an operator, or may be one.
 bool Parser::at_operator() const noexcept {
-    return plain_strengths[static_cast<std::size_t>(kind())] != 0;
+    return plain_operators[static_cast<std::size_t>(kind())].strength != 0;
 }
 
 /// Part of expression: precedence climbing over Table 55; all operators associate to the left.
 const ast::Expression* Parser::parse_binary_rest(const ast::Expression* left, unsigned minimum) {
     while (at_operator()) {
-        const unsigned strength = plain_strengths[static_cast<std::size_t>(kind())];
-        const bool plain = strength != doubtful && !in_instructions_ &&
+        OperatorReading found = plain_operators[static_cast<std::size_t>(kind())];
+        const bool plain = found.strength != doubtful && !in_instructions_ &&
                            !second_halves.contains(tokens_[at_ + 1].kind());
-        if (plain && strength < minimum)
+        if (!plain && at_shift() && minimum <= relation) {
+            left = parse_shift(left);
+            continue;
+        }
+        if (!plain)
+            found = accept_doubtful_operator(minimum);
+        if (found.strength < minimum)
             return left;
-        const ast::Expression* const operation =
-            plain ? parse_operation(left, operator_table[static_cast<std::size_t>(kind())].op,
-                                    strength)
-                  : parse_doubtful_operation(left, minimum);
-        if (operation == nullptr)
-            return left;
-        left = operation;
+        advance();
+        const bool alone = left->missing && !begins_operand(kind()); // lacks both, as was reported
+        const ast::Expression* const right =
+            alone ? make_missing<ast::ErrorExpression>() : parse_binary(found.strength + 1U);
+        auto* node = make_from<ast::BinaryExpression>(left);
+        node->op = found.op;
+        node->left = left;
+        node->right = right;
+        left = finish(node);
     }
     return left;
 }
 
-/// Part of expression: an operation whose operator may be another one than it seems. Null when it
-/// is none, or binds less than `minimum`.
-const ast::Expression* Parser::parse_doubtful_operation(const ast::Expression* left,
-                                                        unsigned minimum) {
-    if (at_shift() && minimum <= relation)
-        return parse_shift(left);
+/// At an operator that may be another one than it seems, or none: says which, and is left at its
+/// last token. When it binds less than `minimum`, nothing is consumed.
+OperatorReading Parser::accept_doubtful_operator(unsigned minimum) {
     OperatorRow row = operator_table[static_cast<std::size_t>(kind())];
     if (at(TokenKind::identifier))
         row = operator_of_other_languages(text(at_), begins_operand_on_line(next(at_)));
@@ -215,9 +226,9 @@ const ast::Expression* Parser::parse_doubtful_operation(const ast::Expression* l
     else if (split != TokenKind::end_of_unit)
         row = operator_row(split);
     if (row.strength < minimum || row.strength == 0)
-        return nullptr;
+        return {};
     if (in_instructions_ && at_line_end()) // the operator of the next instruction
-        return nullptr;
+        return {};
     if (assign)
         report_at(at_, DiagnosticId::assignment_for_equal).replace(token().range(), "=");
     else if (split != TokenKind::end_of_unit)
@@ -226,19 +237,7 @@ const ast::Expression* Parser::parse_doubtful_operation(const ast::Expression* l
         report_at(at_, DiagnosticId::foreign_operator,
                   {std::string(text(at_)), std::string(row.meant)})
             .replace(token().range(), std::string(row.meant));
-    return parse_operation(left, row.op, row.strength);
-}
-
-/// Part of expression: an operator and its right operand.
-const ast::Expression* Parser::parse_operation(const ast::Expression* left, ast::BinaryOperator op,
-                                               unsigned strength) {
-    auto* node = make_from<ast::BinaryExpression>(left);
-    advance();
-    node->op = op;
-    node->left = left;
-    const bool alone = left->missing && !begins_operand(kind()); // lacks both, as was reported
-    node->right = alone ? make_missing<ast::ErrorExpression>() : parse_binary(strength + 1);
-    return finish(node);
+    return {static_cast<std::uint8_t>(row.strength), row.op};
 }
 
 /// `<<` or `>>`.
@@ -327,7 +326,7 @@ void Parser::accept_split_operator(TokenKind meant) {
 const ast::Expression* Parser::parse_unary() {
     if (at_plain_operand())
         return parse_plain_operand();
-    if (at_plain_selection())
+    if (at_plain_variable())
         return check_function_call(parse_selectors(parse_plain_name()));
     if (at(TokenKind::left_parenthesis))
         return parse_parenthesized();
@@ -335,7 +334,7 @@ const ast::Expression* Parser::parse_unary() {
         return parse_constant();
     const bool minus = at(TokenKind::minus);
     const bool plus = at(TokenKind::plus);
-    const bool misspelt = peek() == TokenKind::identifier && at_misspelt_not();
+    const bool misspelt = at(TokenKind::identifier) && at_misspelt_not();
     if (!minus && !plus && !at(TokenKind::kw_not) && !misspelt)
         return parse_primary();
     if (misspelt)
@@ -365,28 +364,29 @@ const ast::Expression* Parser::parse_unary() {
     return finish(node);
 }
 
-/// A name or literal that is an operand as it stands, which nearly all of them are.
+/// A literal, or a name that is an operand as it stands, which nearly all of them are.
 bool Parser::at_plain_operand() const noexcept {
-    return at(plain_operands) && !token().first_on_line() &&
-           behind_plain_operand.contains(tokens_[at_ + 1].kind());
+    return at_literal() || (at(TokenKind::identifier) && !token().first_on_line() &&
+                            behind_plain_operand.contains(tokens_[at_ + 1].kind()));
 }
 
 /// Part of primary_expression: such a one.
 const ast::Expression* Parser::parse_plain_operand() {
-    return at(TokenKind::identifier) ? parse_plain_name() : parse_constant();
+    return at(TokenKind::identifier) ? parse_plain_name() : parse_literal(at_);
 }
 
-/// `name(`, `name.` or `name[`, which no other meaning is asked for either.
-bool Parser::at_plain_selection() const noexcept {
-    static constexpr TokenSet selectors{TokenKind::left_parenthesis, TokenKind::dot,
-                                        TokenKind::left_bracket};
+/// A name behind which no other name stands, as in two words for one operator, and which does not
+/// begin a line, so that nothing is missing before it.
+bool Parser::at_plain_variable() const noexcept {
+    static constexpr TokenSet doubtful_behind{TokenKind::identifier, TokenKind::unknown};
     return at(TokenKind::identifier) && !token().first_on_line() &&
-           selectors.contains(tokens_[at_ + 1].kind());
+           !doubtful_behind.contains(tokens_[at_ + 1].kind());
 }
 
 /// `NTO a`
 bool Parser::at_misspelt_not() const noexcept {
-    return (at_word("NTO") || at_word("ONT")) && !tokens_[next(at_)].first_on_line() &&
+    return peek() == TokenKind::identifier && (at_word("NTO") || at_word("ONT")) &&
+           !tokens_[next(at_)].first_on_line() &&
            operator_of_other_languages(text(next(at_)), true).strength == 0;
 }
 
@@ -406,8 +406,6 @@ const ast::Expression* Parser::parse_primary() {
     }
     default: break;
     }
-    if (at_literal())
-        return parse_constant();
     if (at(operator_functions) && peek() == TokenKind::left_parenthesis)
         return check_function_call(parse_operator_call());
     if (peek() == TokenKind::left_parenthesis && peek_second() != TokenKind::right_parenthesis &&
@@ -745,7 +743,9 @@ const ast::Expression* Parser::parse_field(const ast::Expression* head) {
     auto* node = make_from<ast::StructuredVariable>(head);
     advance();
     node->record_variable = head;
-    if (at(TokenKind::integer)) {
+    if (at(TokenKind::identifier) && !token().first_on_line()) {
+        node->field_selector = parse_name("a name after `.`");
+    } else if (at(TokenKind::integer)) {
         report_at(at_, DiagnosticId::bit_access, {"bit " + std::string(text(at_))});
         node->field_selector = parse_constant();
     } else if (at(TokenKind::part_selector)) {
@@ -973,9 +973,10 @@ bool Parser::argument_list_closes(std::uint32_t i) const noexcept {
 // param_assignment = ( variable_name | "EN" | "ENO" ) ":=" expression
 //                  | [ "NOT" ] ( variable_name | "EN" | "ENO" ) "=>" variable ;
 const ast::Node* Parser::parse_argument(std::uint32_t open) {
-    const bool negated = at(TokenKind::kw_not) && (peek() == TokenKind::output_arrow ||
+    const TokenKind behind = peek();
+    const bool negated = at(TokenKind::kw_not) && (behind == TokenKind::output_arrow ||
                                                    peek_second() == TokenKind::output_arrow);
-    if (negated || peek() == TokenKind::output_arrow) {
+    if (negated || behind == TokenKind::output_arrow) {
         auto* output = make<ast::OutputArgument>();
         output->negated = negated;
         if (negated)
@@ -985,7 +986,7 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
         output->variable = parse_output_variable();
         return finish(output);
     }
-    if (at_output_slip(open)) {
+    if (behind != TokenKind::assign && at_output_slip(open)) {
         auto* output = make<ast::OutputArgument>();
         output->name = parse_argument_name();
         accept_mark_slip(mark_slip(at_));
@@ -993,7 +994,7 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
         return finish(output);
     }
     auto* input = make<ast::InputArgument>();
-    if (peek() == TokenKind::assign) {
+    if (behind == TokenKind::assign) {
         input->name = parse_argument_name();
         advance();
     } else if (at_equal_for_assign(open)) {

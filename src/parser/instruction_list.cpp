@@ -216,8 +216,8 @@ bool Parser::at_end_of_instructions() {
         return at_chart_structure();
     if (at(chart_closers))
         return at(innermost) || (chart_closers.contains(innermost) && unclosed(innermost) > 0);
-    return at(TokenKind::identifier) && begins_line(at_) && at_misspelt_closer() &&
-           unclosed(innermost) > 0;
+    return at(TokenKind::identifier) && unclosed(innermost) > 0 && begins_line(at_) &&
+           at_misspelt_closer();
 }
 
 // instruction_list = il_instruction { il_instruction } ;
@@ -339,20 +339,19 @@ bool Parser::begins_outer_instruction(bool begun) const noexcept {
 
 /// The operator at token `index`, or null. `&N` is two tokens.
 const IlOperatorRow* Parser::il_operator(std::uint32_t index) const noexcept {
-    if (!operator_tokens.contains(tokens_[index].kind()))
+    constexpr std::uint32_t longest = 5;
+    const Token& token = tokens_[index];
+    if (token.length() > longest || !operator_tokens.contains(token.kind()))
         return nullptr;
-    std::string_view word = text(index);
-    if (at_ampersand_n(index))
-        word = "&N";
+    const std::string_view word = at_ampersand_n(index) ? "&N" : text(index);
     const std::size_t row = il_operator_names.find(word, hash_name(word));
     return row == il_operators.size() ? nullptr : &il_operators[row];
 }
 
 /// True when `&` and `N` adjoin, and more stands behind them: alone, N is the operand of `&`.
-bool Parser::at_ampersand_n(std::uint32_t index) const noexcept {
+bool Parser::is_ampersand_n(std::uint32_t index) const noexcept {
     const std::uint32_t second = index + 1;
-    return tokens_[index].kind() == TokenKind::ampersand &&
-           tokens_[second].offset() == tokens_[index].end() &&
+    return tokens_[second].offset() == tokens_[index].end() &&
            tokens_[second].kind() == TokenKind::identifier && names_equal(text(second), "N") &&
            !begins_line(next(second)) && tokens_[next(second)].kind() != TokenKind::end_of_unit;
 }
@@ -401,8 +400,8 @@ const ast::IlOperation* Parser::parse_il_operation() {
 /// `f(a);`
 bool Parser::at_invocation_statement() const noexcept {
     const std::uint32_t open = next(at_);
-    if (!at(TokenKind::identifier) || il_operator(at_) != nullptr ||
-        tokens_[open].kind() != TokenKind::left_parenthesis || begins_line(open))
+    if (!at(TokenKind::identifier) || tokens_[open].kind() != TokenKind::left_parenthesis ||
+        begins_line(open) || il_operator(at_) != nullptr)
         return false;
     const std::uint32_t close = closing_parenthesis(open);
     const std::uint32_t behind = next(close);
@@ -416,7 +415,7 @@ bool Parser::at_structured_text() const noexcept {
                                              TokenKind::left_bracket, TokenKind::caret};
     const bool variable =
         at(TokenKind::identifier) || at(TokenKind::direct_variable) || at(execution_control);
-    if (is_expression_operator(at_) && peek() == TokenKind::left_bracket &&
+    if (peek() == TokenKind::left_bracket && is_expression_operator(at_) &&
         lacks_parenthesis_of_instructions(next(at_))) // `ADD[ a`
         return false;
     return at(statement_words) || at_invocation_statement() ||
@@ -494,7 +493,8 @@ const ast::IlOperation* Parser::parse_il_simple_operation(const IlOperatorRow& r
     }
     const std::size_t reports = diagnostics_.size();
     ListBuilder<ast::Expression> operands(*this);
-    const ast::Expression* operand = expect_il_operand(quoted(word));
+    const ast::Expression* operand =
+        at_end_of_operands() ? parse_missing_il_operand(quoted(word)) : parse_il_operand();
     operands.add(operand);
     const bool several = at(TokenKind::comma) && !at_line_end();
     if (several && is_function_name(row)) {
@@ -854,8 +854,11 @@ bool Parser::at_end_of_operands() noexcept {
 
 /// An operand, or a report that it is missing `after` what stands before it.
 const ast::Expression* Parser::expect_il_operand(std::string_view after) {
-    if (!at_end_of_operands())
-        return parse_il_operand();
+    return at_end_of_operands() ? parse_missing_il_operand(after) : parse_il_operand();
+}
+
+/// In place of il_operand: there is none.
+const ast::Expression* Parser::parse_missing_il_operand(std::string_view after) {
     report_missing(DiagnosticId::missing_operand, {std::string(after)});
     return make_missing<ast::ErrorExpression>();
 }

@@ -56,7 +56,7 @@ const ast::Node* Parser::parse_library_element() {
         const std::string meant(spelling(opener));
         report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
             .replace(token().range(), meant);
-        ++unclosed(closer_of(opener));
+        change_unclosed(closer_of(opener), 1);
     }
     switch (opener) {
     case TokenKind::kw_type: return parse_data_type_declaration();

@@ -51,26 +51,33 @@ std::size_t distance(const Letters& a, const Letters& b) noexcept {
     return d[a.size][b.size];
 }
 
-// The letters that a word has, a bit each. A wrong letter changes two bits at most.
-std::uint32_t letter_set(const Letters& word) noexcept {
+// The letters that a word has in any case, a bit each. A wrong letter changes two bits at most.
+std::uint32_t letter_set(std::string_view word) noexcept {
+    constexpr std::uint32_t underscore = 1U << ('_' % 32);
     std::uint32_t set = 0;
-    for (std::size_t i = 0; i < word.size; ++i)
-        set |= 1U << (static_cast<unsigned char>(word.data[i]) % 32);
-    return set;
+    for (const char c : word)
+        set |= 1U << (static_cast<unsigned char>(c) % 32);
+    return set & ~underscore;
 }
 
 } // namespace
 
 std::optional<std::size_t> misspelt_letters(std::string_view word,
                                             std::string_view meant) noexcept {
+    constexpr std::size_t most_allowed = 2;
+    if (names_equal(word, meant))
+        return 0;
+    const auto different_letters =
+        static_cast<std::size_t>(std::popcount(letter_set(word) ^ letter_set(meant)));
+    if (different_letters > 2 * most_allowed) // nearly always
+        return std::nullopt;
     const Letters a = letters_of(word);
     const Letters b = letters_of(meant);
     if (a.too_long || b.too_long)
         return std::nullopt;
-    const std::size_t allowed = b.size < 6 ? 1 : 2;
+    const std::size_t allowed = b.size < 6 ? 1 : most_allowed;
     const std::size_t difference = a.size < b.size ? b.size - a.size : a.size - b.size;
-    const int different_letters = std::popcount(letter_set(a) ^ letter_set(b));
-    if (difference > allowed || static_cast<std::size_t>(different_letters) > 2 * allowed)
+    if (difference > allowed || different_letters > 2 * allowed)
         return std::nullopt;
     const std::size_t wrong = distance(a, b);
     return wrong <= allowed ? std::optional(wrong) : std::nullopt;

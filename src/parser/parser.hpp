@@ -27,6 +27,7 @@
 namespace iecfront {
 
 struct IlOperatorRow;
+struct OperatorReading;
 
 /// The languages a body can be written in (1.4.3).
 enum class BodyLanguage : std::uint8_t {
@@ -158,7 +159,7 @@ private:
         const Token word = token();
         node->first_token = at_;
         node->end_token = at_ + 1;
-        node->hash = detail::hash_name_within(text_, word.offset(), word.length());
+        node->hash = detail::hash_name_within(text_.data(), word.offset(), word.length());
         advance();
         return node;
     }
@@ -247,6 +248,14 @@ private:
             advance();
     }
 
+    /// A list of one.
+    template<class T>
+    Children<T> list_of(const T* node) {
+        const std::span<ast::Child<T>> children = allocate_children<T>(1);
+        children[0] = node;
+        return children;
+    }
+
     /// Counts nesting; it is `too_deep()` beyond the limit, which is then reported once.
     class NestingGuard {
     public:
@@ -260,9 +269,12 @@ private:
             --parser_.nesting_;
             parser_.arena_.leave_level();
         }
-        [[nodiscard]] bool too_deep() const;
+        [[nodiscard]] bool too_deep() const {
+            return parser_.nesting_ > parser_.options_.maximum_nesting && report();
+        }
 
     private:
+        bool report() const; // gives true
         Parser& parser_;
     };
 
@@ -336,21 +348,25 @@ private:
     [[nodiscard]] bool at_keyword_for_variable();
 
     // ---- recovery.cpp ---------------------------------------------------------------------------
+    static constexpr std::uint32_t no_token = 0xFFFF'FFFF;
     /// A block that waits for its closing word.
     struct OpenBlock {
         TokenKind closer;
         std::uint32_t opener;
         bool in_else = false; // of IF or CASE: no other part follows
-        // When it and the opener begin lines, until their columns are compared.
-        std::optional<std::uint32_t> first_statement = {};
+        // Until its column is compared with that of the opener.
+        std::uint32_t first_statement = no_token;
         // Of its opener, when its statements are indented: none of them begins in it, or before it.
-        std::optional<std::uint32_t> column = {};
-        std::optional<std::uint32_t> label = {}; // of CASE: the last one that begins a line
+        std::uint32_t column = not_indented;
+        std::uint32_t label = no_token; // of CASE: the last one, when it begins a line
+
+        static constexpr std::uint32_t not_indented = no_token;
     };
     void open_block(TokenKind closer, std::uint32_t opener) { open_.push_back({closer, opener}); }
     /// Ends the innermost block: takes its closing word, or a misspelt or mismatched one, or
     /// reports it missing. `terminator` goes with the closing word in a fix-it.
     void close_block(std::string_view terminator);
+    void close_doubtful_block(std::string_view terminator);
     void report_missing_closer(std::string_view terminator);
     bool join_missing_closer(const std::string& words);
     [[nodiscard]] bool is_open(TokenKind closer) const noexcept;
@@ -363,12 +379,22 @@ private:
     [[nodiscard]] bool at_foreign_closer();
     [[nodiscard]] bool at_mismatched_closer();
     /// How many more blocks of this kind begin in the unit than are closed.
-    [[nodiscard]] std::int32_t& unclosed(TokenKind closer) noexcept {
+    [[nodiscard]] std::int32_t unclosed(TokenKind closer) noexcept {
         if (!balances_known_)
-            count_balances();
+            find_balances();
         return unclosed_[static_cast<std::size_t>(closer)];
     }
+    /// As many blocks of each kind begin in the unit as are closed: no word is meant for one that
+    /// is missing or too many.
+    [[nodiscard]] bool balanced() noexcept {
+        if (!balances_known_)
+            find_balances();
+        return balanced_;
+    }
+    void find_balances() noexcept;
     void count_balances() noexcept;
+    /// When what stands in the unit turns out to mean something else.
+    void change_unclosed(TokenKind closer, std::int32_t by) noexcept;
     void count_as_name(TokenKind word);
     /// `opener` is a word that opens what has a closing word of its own.
     [[nodiscard]] static TokenKind closer_of(TokenKind opener) noexcept;
@@ -393,7 +419,8 @@ private:
 
     // ---- constants.cpp: B.1.2
     const ast::Expression* parse_constant();
-    [[nodiscard]] bool at_literal() const noexcept;
+    const ast::Expression* parse_literal(std::uint32_t first);
+    [[nodiscard]] bool at_literal() const noexcept { return at(literals); }
     [[nodiscard]] bool at_signed_number() const noexcept;
     [[nodiscard]] bool is_signed_integer(const ast::Expression& expression) const noexcept;
     const ast::Expression* parse_constant_expression(std::string_view what);
@@ -418,7 +445,11 @@ private:
     void parse_structure_elements(ast::StructureDeclaration& structure, std::uint32_t opener);
     const ast::ErrorDeclaration* parse_error_declaration(std::string_view what);
     void report_empty_block(std::uint32_t opener);
-    void expect_colon();
+    void expect_colon() {
+        if (token().first_on_line() || !accept(TokenKind::colon))
+            report_missing_colon();
+    }
+    void report_missing_colon();
     [[nodiscard]] bool colon_follows_on_line() const noexcept;
     void expect_closing(TokenKind bracket);
     Report accept_as(TokenKind meant);
@@ -433,6 +464,7 @@ private:
     parse_type_specification(StructureUse use = StructureUse::anonymous);
     const ast::TypeSpecification* parse_missing_type();
     const ast::TypeSpecification* parse_type_name();
+    [[nodiscard]] bool is_plain_type() const noexcept;
     const ast::TypeSpecification* parse_elementary_type();
     const ast::TypeSpecification* parse_derived_type();
     [[nodiscard]] bool at_pointer_type() const noexcept;
@@ -508,13 +540,15 @@ private:
     const ast::Node* parse_declaration(const ast::VariableDeclarations& block, Place place);
     const ast::VariableDeclaration*
     parse_variable_declaration(const ast::VariableDeclarations& block, Place place);
-    void parse_declared_names(ListBuilder<ast::Identifier>& names,
-                              const ast::VariableDeclarations& block);
+    Children<ast::Identifier> parse_declared_names(const ast::VariableDeclarations& block);
     const ast::Identifier* parse_variable_name(const ast::VariableDeclarations& block);
+    [[nodiscard]] bool at_location() const noexcept;
     const ast::Location* parse_optional_location();
     [[nodiscard]] std::uint32_t end_of_location_without_sign() const noexcept;
     void check_declaration(const ast::VariableDeclaration& declaration,
                            const ast::VariableDeclarations& block, Place place);
+    void check_initial_value_in_block(const ast::VariableDeclaration& declaration,
+                                      const ast::VariableDeclarations& block);
     [[nodiscard]] bool has_derivable_value(const ast::VariableDeclaration& declaration,
                                            const ast::VariableDeclarations& block) const noexcept;
     void check_location(const ast::VariableDeclaration& declaration,
@@ -639,13 +673,11 @@ private:
     const ast::Expression* parse_expression();
     const ast::Expression* parse_condition();
     const ast::Expression* parse_binary(unsigned minimum);
-    const ast::Expression* parse_doubtful_operation(const ast::Expression* left, unsigned minimum);
+    OperatorReading accept_doubtful_operator(unsigned minimum);
     [[nodiscard]] bool at_operator() const noexcept;
     [[nodiscard]] bool at_plain_operand() const noexcept;
     const ast::Expression* parse_plain_operand();
-    [[nodiscard]] bool at_plain_selection() const noexcept;
-    const ast::Expression* parse_operation(const ast::Expression* left, ast::BinaryOperator op,
-                                           unsigned strength);
+    [[nodiscard]] bool at_plain_variable() const noexcept;
     const ast::Expression* parse_binary_rest(const ast::Expression* left, unsigned minimum);
     const ast::Expression* parse_unary();
     [[nodiscard]] TokenKind split_operator() const noexcept;
@@ -714,9 +746,9 @@ private:
     // ---- statements.cpp: B.3.2
     const ast::StatementList* parse_statement_list(std::string_view where);
     void parse_statements(ListBuilder<ast::Statement>& statements);
+    const ast::Statement* parse_statement_or_stray_word(ListBuilder<ast::Statement>& statements);
     [[nodiscard]] bool at_plain_assignment() const noexcept;
     [[nodiscard]] bool at_end_of_statements();
-    void look_at_indentation() noexcept;
     [[nodiscard]] bool at_outdented_statement() noexcept;
     [[nodiscard]] bool at_split_closer() const noexcept;
     void skip_stray_word(bool first_in_list);
@@ -758,6 +790,7 @@ private:
     const ast::Statement* parse_compound_assignment(const ast::Expression* variable);
     [[nodiscard]] bool at_prefix_increment() const noexcept;
     const ast::Statement* parse_prefix_increment();
+    const ast::Statement* parse_plain_assignment();
     const ast::Statement* parse_assignment(const ast::Expression* variable);
     const ast::Statement* finish_expression_statement(const ast::Expression* expression,
                                                       std::size_t reports);
@@ -791,7 +824,7 @@ private:
     const ast::Statement* parse_repeat_statement();
     const ast::Statement* parse_until_behind_closer(ast::RepeatStatement* node);
     const ast::Statement* parse_word_statement();
-    void check_not_empty(const ast::StatementList& list, std::string_view where);
+    void report_empty_list(std::string_view where);
 
     // ---- instruction_list.cpp: B.2
     /// Where line ends are missing inside one pair of parentheses.
@@ -823,6 +856,7 @@ private:
     const ast::IlOperation* parse_il_error_operation();
     const ast::IlOperation* parse_too_deep_operation(std::uint32_t depth = 0);
     const ast::Expression* expect_il_operand(std::string_view after);
+    const ast::Expression* parse_missing_il_operand(std::string_view after);
     const ast::Expression* parse_il_operand();
     const ast::Expression* parse_next_il_operand();
     const ast::Expression* report_expression(const ast::Expression* expression);
@@ -833,7 +867,10 @@ private:
     void report_missing_instance(std::uint32_t word);
     const ast::Identifier* make_identifier_of(std::uint32_t token);
     [[nodiscard]] const IlOperatorRow* il_operator(std::uint32_t index) const noexcept;
-    [[nodiscard]] bool at_ampersand_n(std::uint32_t index) const noexcept;
+    [[nodiscard]] bool at_ampersand_n(std::uint32_t index) const noexcept {
+        return tokens_[index].kind() == TokenKind::ampersand && is_ampersand_n(index);
+    }
+    [[nodiscard]] bool is_ampersand_n(std::uint32_t index) const noexcept;
     void advance_operator() noexcept;
     [[nodiscard]] bool begins_line(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_line_end() const noexcept;
@@ -968,13 +1005,12 @@ private:
     std::uint32_t end_ = 0;               // one past the last token consumed
     std::uint32_t nesting_ = 0;
     bool nesting_reported_ = false;
-    bool in_condition_ = false;           // `:=` is taken for `=`
-    bool in_instructions_ = false;        // an expression ends with its line
-    bool in_chart_ = false;               // the body, or what it is in an action of
-    bool between_chart_elements_ = false; // in statements that stand there
-    bool members_unclosed_ = false;       // some METHOD lacks its closing word: none is looked for
-    bool closer_assumed_ = false;         // the last closing word was missing, and its `;` with it
-    static constexpr std::uint32_t no_token = 0xFFFF'FFFF;
+    bool in_condition_ = false;            // `:=` is taken for `=`
+    bool in_instructions_ = false;         // an expression ends with its line
+    bool in_chart_ = false;                // the body, or what it is in an action of
+    bool between_chart_elements_ = false;  // in statements that stand there
+    bool members_unclosed_ = false;        // some METHOD lacks its closing word: none is looked for
+    bool closer_assumed_ = false;          // the last closing word was missing, and its `;` with it
     std::uint32_t reported_at_ = no_token; // token of the last report
     std::optional<std::uint32_t> comma_assumed_at_;
     std::optional<std::uint32_t> invocation_; // the `(` of the last call that began a statement
@@ -999,6 +1035,7 @@ private:
     std::vector<std::uint32_t> standard_names_;             // the same for standard names: hashes
     std::array<std::int32_t, token_kind_count> unclosed_{}; // by closing word, see unclosed()
     bool balances_known_ = false;
+    bool balanced_ = false;               // see balanced()
     std::uint32_t else_if_chain_end_ = 0; // last chain that was looked at, see at_else_if_for_elsif
     std::uint32_t else_if_block_ = 0;
     bool else_if_means_elsif_ = false;

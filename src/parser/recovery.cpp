@@ -85,8 +85,20 @@ bool goes_on_behind_name(TokenKind after) noexcept {
 // ---- blocks and their closing words -------------------------------------------------------------
 
 bool Parser::is_open(TokenKind closer) const noexcept {
-    return std::any_of(open_.begin(), open_.end(),
+    return std::any_of(open_.rbegin(), open_.rend(),
                        [closer](const OpenBlock& block) { return block.closer == closer; });
+}
+
+void Parser::find_balances() noexcept {
+    count_balances();
+    balanced_ = std::all_of(unclosed_.begin(), unclosed_.end(), [](auto one) { return one == 0; });
+}
+
+void Parser::change_unclosed(TokenKind closer, std::int32_t by) noexcept {
+    if (!balances_known_)
+        find_balances();
+    unclosed_[static_cast<std::size_t>(closer)] += by;
+    balanced_ = false; // until the end, for so much is wrong in few units
 }
 
 /// All balances are counted in one pass, when the first one is asked for.
@@ -112,9 +124,9 @@ TokenKind Parser::closer_of(TokenKind opener) noexcept {
 void Parser::count_as_name(TokenKind word) {
     for (const BlockWords& words : block_pairs)
         if (words.opener == word)
-            --unclosed(words.closer);
+            change_unclosed(words.closer, -1);
     if (closers.contains(word))
-        ++unclosed(word);
+        change_unclosed(word, 1);
 }
 
 /// True for an opening word when no block is left open: each of them opens one.
@@ -248,7 +260,7 @@ void Parser::report_missing_closer(std::string_view terminator) {
     report_missing(DiagnosticId::missing_closing_word, {closer, std::string(text(block.opener))})
         .label(LabelId::opened_here, block.opener)
         .insert(previous_end(), gap + closer + std::string(terminator));
-    --unclosed(block.closer);
+    change_unclosed(block.closer, -1);
     closer_assumed_ = true;
 }
 
@@ -276,17 +288,26 @@ bool Parser::join_missing_closer(const std::string& words) {
                            std::string(text(block.opener))});
     if (!last.fixes.empty() && last.fixes.front().edits.back().range.end == previous_end())
         last.fixes.front().edits.back().replacement += '\n' + words;
-    --unclosed(block.closer);
+    change_unclosed(block.closer, -1);
     closer_assumed_ = true;
     return true;
 }
 
 void Parser::close_block(std::string_view terminator) {
+    closer_assumed_ = false;
+    if (at(open_.back().closer) && (balanced() || !closes_outer_block()))
+        advance();
+    else
+        close_doubtful_block(terminator);
+    open_.pop_back();
+}
+
+/// What stands there may be meant for the closing word, or for that of another block.
+void Parser::close_doubtful_block(std::string_view terminator) {
     const OpenBlock block = open_.back();
     const std::string_view closer = spelling(block.closer);
-    closer_assumed_ = false;
     if (at(block.closer)) {
-        if (unclosed(block.closer) > 0 && closes_outer_block())
+        if (unclosed(block.closer) > 0)
             report_missing_closer(terminator);
         else
             advance();
@@ -301,19 +322,18 @@ void Parser::close_block(std::string_view terminator) {
                    {std::string(text_.substr(words.begin, words.size())), std::string(closer)})
                 .replace(words, std::string(closer));
         advance();
-        --unclosed(block.closer);
+        change_unclosed(block.closer, -1);
     } else if (at_mismatched_closer() || at_unknown_closer_for_innermost()) {
         report_at(at_, DiagnosticId::mismatched_closing_word,
                   {std::string(text(at_)), std::string(text(block.opener)), std::string(closer)})
             .label(LabelId::opened_here, block.opener)
             .replace(token().range(), std::string(closer));
-        --unclosed(block.closer);
-        ++unclosed(kind());
+        change_unclosed(block.closer, -1);
+        change_unclosed(kind(), 1);
         advance();
     } else {
         report_missing_closer(terminator);
     }
-    open_.pop_back();
 }
 
 // ---- skipping -----------------------------------------------------------------------------------

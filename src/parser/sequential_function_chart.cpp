@@ -162,14 +162,14 @@ void Parser::open_chart_element(TokenKind opener) {
     const TokenKind closer = closer_of(opener);
     const std::string word(spelling(opener));
     if (!accept(opener)) {
-        ++unclosed(closer);
+        change_unclosed(closer, 1);
         if (misspelt_chart_word() == opener) {
             const bool split = peek() == TokenKind::kw_step;
             const TextRange words = token_range(first, split ? next(at_) + 1 : at_ + 1);
             report(DiagnosticId::misspelt_word, words,
                    {std::string(text_.substr(words.begin, words.size())), word})
                 .replace(words, word);
-            unclosed(closer) -= split ? 1 : 0;
+            change_unclosed(closer, split ? -1 : 0);
             if (split)
                 advance();
             advance();

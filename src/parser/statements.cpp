@@ -26,40 +26,59 @@ constexpr TokenSet stray_words =
 const ast::StatementList* Parser::parse_statement_list(std::string_view where) {
     auto* list = make<ast::StatementList>();
     ListBuilder<ast::Statement> statements(*this);
-    look_at_indentation();
+    open_.back().first_statement = at_;
     parse_statements(statements);
     list->statements = statements.finish();
     finish(list);
-    check_not_empty(*list, where);
+    if (list->statements.empty())
+        report_empty_list(where);
     return list;
 }
 
-void Parser::check_not_empty(const ast::StatementList& list, std::string_view where) {
-    if (list.statements.empty())
-        report_missing(DiagnosticId::empty_statement_list, {std::string(where)})
-            .insert(previous_end(), " ;");
+void Parser::report_empty_list(std::string_view where) {
+    report_missing(DiagnosticId::empty_statement_list, {std::string(where)})
+        .insert(previous_end(), " ;");
 }
 
 // Part of statement_list: { statement ";" }
 /// All statements of a list.
 void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
-    while (!at_end_of_statements()) {
-        const bool if_part = at(TokenKind::kw_else) || at(TokenKind::kw_elsif);
-        if (if_part && !open_.back().in_else && unclosed(TokenKind::kw_end_if) < 0) {
-            const ast::Statement* statement = parse_if_without_head();
-            statements.add(statement);
-            expect_semicolon_of_statement(*statement);
-            continue;
-        }
-        if (at(stray_words) || at_split_closer()) {
-            skip_stray_word(statements.empty());
-            continue;
-        }
+    for (;;) {
         const ast::Statement* statement = nullptr;
-        add_in_loop(statements, [&] { return statement = parse_statement(); });
-        if (const ast::Statement* rest = expect_semicolon_of_statement(*statement))
+        if (at_plain_assignment() && balanced())
+            statements.add(statement = parse_plain_assignment());
+        else if (at_end_of_statements())
+            return;
+        else
+            statement = parse_statement_or_stray_word(statements);
+        if (statement == nullptr)
+            continue;
+        if (at(TokenKind::semicolon)) {
+            closer_assumed_ = false;
+            advance();
+        } else if (const ast::Statement* rest = expect_semicolon_of_statement(*statement)) {
             statements.add(rest);
+        }
     }
+}
+
+/// Part of statement_list: a statement; null when it was no whole one.
+const ast::Statement*
+Parser::parse_statement_or_stray_word(ListBuilder<ast::Statement>& statements) {
+    const bool if_part = at(TokenKind::kw_else) || at(TokenKind::kw_elsif);
+    if (if_part && !open_.back().in_else && unclosed(TokenKind::kw_end_if) < 0) {
+        const ast::Statement* rest_of_if = parse_if_without_head();
+        statements.add(rest_of_if);
+        expect_semicolon_of_statement(*rest_of_if);
+        return nullptr;
+    }
+    if (at(stray_words) || at_split_closer()) {
+        skip_stray_word(statements.empty());
+        return nullptr;
+    }
+    const ast::Statement* statement = nullptr;
+    add_in_loop(statements, [&] { return statement = parse_statement(); });
+    return statement;
 }
 
 /// `name :=` begins an assignment, and no word that closes or parts a statement is misspelt so.
@@ -72,9 +91,11 @@ bool Parser::at_end_of_statements() {
     // CASE may be a label's that is repeated, and WHILE may stand for UNTIL.
     static constexpr TokenSet plain_statements{TokenKind::kw_if, TokenKind::kw_for,
                                                TokenKind::kw_repeat};
+    if (at(open_.back().closer))
+        return true;
     if (at_plain_assignment() || at(plain_statements))
         return unclosed(open_.back().closer) > 0 && at_outdented_statement();
-    if (at(unit_ends) || at_foreign_closer() || at_chart_structure())
+    if (at(unit_ends) || (!balanced() && at_foreign_closer()) || at_chart_structure())
         return true;
     const TokenKind innermost = open_.back().closer;
     if (at(statement_closers) || at(other_closers))
@@ -103,27 +124,19 @@ bool Parser::at_end_of_statements() {
     return unclosed(innermost) > 0 && (at_misspelt_closer() || at_outdented_statement());
 }
 
-/// At the first statement of a block.
-void Parser::look_at_indentation() noexcept {
-    OpenBlock& block = open_.back();
-    block.column.reset();
-    block.first_statement.reset();
-    if (statement_closers.contains(block.closer) && token().first_on_line() &&
-        tokens_[block.opener].first_on_line())
-        block.first_statement = at_;
-}
-
 /// At a statement that by its column stands behind the innermost block.
 bool Parser::at_outdented_statement() noexcept {
     OpenBlock& block = open_.back();
-    if (block.first_statement) { // asked for the first time
-        const std::uint32_t outer = column(block.opener);
-        if (column(*block.first_statement) > outer)
-            block.column = outer;
-        block.first_statement.reset();
+    if (block.first_statement != no_token) { // asked for the first time
+        const bool lines = statement_closers.contains(block.closer) &&
+                           tokens_[block.first_statement].first_on_line() &&
+                           tokens_[block.opener].first_on_line();
+        const bool indented = lines && column(block.first_statement) > column(block.opener);
+        block.column = indented ? column(block.opener) : OpenBlock::not_indented;
+        block.first_statement = no_token;
     }
-    return block.column && token().first_on_line() && at_statement_start() &&
-           column(at_) <= *block.column;
+    return block.column != OpenBlock::not_indented && token().first_on_line() &&
+           at_statement_start() && column(at_) <= block.column;
 }
 
 /// At ELSE or ELSIF after the ELSE of the innermost statement: true when it is for another one,
@@ -380,7 +393,12 @@ bool Parser::at_condition_behind_statement() {
 // iteration_statement = for_statement | while_statement | repeat_statement | exit_statement ;
 const ast::Statement* Parser::parse_statement() {
     if (at_plain_assignment() && missing_opener() == TokenKind::end_of_unit)
-        return parse_assignment(parse_variable_name());
+        return parse_plain_assignment();
+    static constexpr TokenSet selectors{TokenKind::left_parenthesis, TokenKind::dot,
+                                        TokenKind::left_bracket};
+    if (at(TokenKind::identifier) && selectors.contains(tokens_[at_ + 1].kind()) &&
+        !open_.back().in_else && balanced())
+        return parse_simple_statement();
     const bool name_of_keyword = at_keyword_for_variable();
     const TokenKind opener = at(block_statements) ? kind() : missing_opener();
     if (block_statements.contains(opener) && !name_of_keyword) {
@@ -586,6 +604,17 @@ const ast::Statement* Parser::as_word_statement(const ast::Expression& name) {
     return finish(make_from<ast::ContinueStatement>(&name));
 }
 
+/// Part of assignment_statement: one to a variable of which only the name is given.
+const ast::Statement* Parser::parse_plain_assignment() {
+    const ast::Expression* const variable = parse_plain_name();
+    advance();
+    const ast::Expression* const expression = parse_expression();
+    auto* node = make_from<ast::AssignmentStatement>(variable);
+    node->variable = variable;
+    node->expression = expression;
+    return finish(node);
+}
+
 // assignment_statement = variable ":=" expression ;
 const ast::Statement* Parser::parse_assignment(const ast::Expression* variable) {
     auto* node = make_from<ast::AssignmentStatement>(variable);
@@ -783,7 +812,7 @@ bool Parser::at_early_end_if() {
 void Parser::skip_early_end_if() {
     const std::uint32_t last = peek() == TokenKind::semicolon ? next(at_) : at_;
     report_unexpected("`ELSIF`").remove(token_range(at_, last + 1));
-    ++unclosed(TokenKind::kw_end_if);
+    change_unclosed(TokenKind::kw_end_if, 1);
     advance();
     accept(TokenKind::semicolon);
 }
@@ -793,7 +822,7 @@ const ast::Statement* Parser::parse_if_without_head() {
     auto* node = make<ast::IfStatement>();
     if (!report_missing_head(TokenKind::kw_end_if))
         report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
-    ++unclosed(TokenKind::kw_end_if);
+    change_unclosed(TokenKind::kw_end_if, 1);
     open_block(TokenKind::kw_end_if, at_);
     node->condition = make_missing<ast::ErrorExpression>();
     node->then_list = make_missing<ast::StatementList>();
@@ -819,7 +848,7 @@ void Parser::open_statement(TokenKind opener, TokenKind closer) {
     if (!accept(opener)) {
         const std::string word(spelling(opener));
         const std::uint32_t offset = token().offset();
-        ++unclosed(closer);
+        change_unclosed(closer, 1);
         const bool unary = at(TokenKind::left_parenthesis) || at(TokenKind::kw_not) ||
                            at(TokenKind::minus) || at(TokenKind::plus);
         const bool two_operands =
@@ -851,6 +880,8 @@ TokenKind Parser::missing_opener() {
         {TokenKind::kw_for, TokenKind::kw_to, TokenKind::kw_end_for},
         {TokenKind::kw_while, TokenKind::kw_do, TokenKind::kw_end_while},
     };
+    if (balanced())
+        return TokenKind::end_of_unit;
     // Negative when one of them is: hardly ever.
     if ((unclosed(TokenKind::kw_end_if) | unclosed(TokenKind::kw_end_case) |
          unclosed(TokenKind::kw_end_for) | unclosed(TokenKind::kw_end_while) |
@@ -874,7 +905,7 @@ const ast::ElsifClause* Parser::parse_elsif_clause() {
     } else if (at(TokenKind::kw_else)) {
         const TextRange both{token().offset(), tokens_[next(at_)].end()};
         report(DiagnosticId::else_if, both).replace(both, "ELSIF");
-        --unclosed(TokenKind::kw_end_if);
+        change_unclosed(TokenKind::kw_end_if, -1);
         advance();
     } else if (at_missing_elsif() && !at_misspelt_elsif()) {
         const std::uint32_t offset = token().offset();
@@ -980,7 +1011,7 @@ void Parser::accept_repeated_case() {
     if (!at_repeated_case())
         return;
     report_unexpected("a CASE label").remove(token().range());
-    --unclosed(TokenKind::kw_end_case);
+    change_unclosed(TokenKind::kw_end_case, -1);
     advance();
 }
 
@@ -990,7 +1021,7 @@ const ast::Statement* Parser::parse_case_without_head() {
     const std::uint32_t offset = token().offset();
     report(DiagnosticId::missing_token, {offset, offset}, {"`CASE` with a selector and `OF`"});
     auto* node = make<ast::CaseStatement>();
-    ++unclosed(TokenKind::kw_end_case);
+    change_unclosed(TokenKind::kw_end_case, 1);
     open_block(TokenKind::kw_end_case, at_);
     node->selector = make_missing<ast::ErrorExpression>();
     return parse_case_rest(node);
@@ -1049,7 +1080,7 @@ bool Parser::at_label_without_colon() const noexcept {
     if (!name_before_statement(at_) || at_misspelt_closer())
         return false;
     const bool first_label = at_ > 0 && tokens_[at_ - 1].kind() == TokenKind::kw_of;
-    return first_label || (block.label && column(*block.label) == column(at_));
+    return first_label || (block.label != no_token && column(block.label) == column(at_));
 }
 
 /// A name that nothing connects with the statement behind it.
@@ -1096,7 +1127,7 @@ const ast::Statement* Parser::parse_label_after_else() {
 // case_list = case_list_element { "," case_list_element } ;
 const ast::CaseElement* Parser::parse_case_element() {
     auto* element = make<ast::CaseElement>();
-    open_.back().label = token().first_on_line() ? std::optional(at_) : std::nullopt;
+    open_.back().label = token().first_on_line() ? at_ : no_token;
     if (at_case_label() || at(TokenKind::integer) || at_label_without_colon()) {
         ListBuilder<ast::Node> labels(*this);
         do
@@ -1331,7 +1362,7 @@ const ast::Statement* Parser::parse_repeat_statement() {
     if (misspelt) {
         accept_misspelt(TokenKind::kw_until);
     } else if (at_while_for_until()) {
-        --unclosed(TokenKind::kw_end_while);
+        change_unclosed(TokenKind::kw_end_while, -1);
         without_until.emplace(accept_as(TokenKind::kw_until));
     } else if (at_condition_without_until()) {
         without_until.emplace(report_missing(DiagnosticId::missing_token, {"`UNTIL`"})
@@ -1397,6 +1428,8 @@ bool Parser::accept_misspelt_word(TokenKind word) {
 
 /// A word between the parts of a statement, or another such word in its place.
 void Parser::expect_word(TokenKind word) {
+    if (accept(word))
+        return;
     if ((at(part_words) && !at(word) && peek() != word) || at_word_of_other_language(word)) {
         report_unexpected("`" + std::string(spelling(word)) + "`")
             .replace(token().range(), std::string(spelling(word)));
@@ -1409,7 +1442,7 @@ void Parser::expect_word(TokenKind word) {
         accept(word);
         return;
     }
-    if (accept(word) || accept_misspelt_word(word))
+    if (accept_misspelt_word(word))
         return;
     // What stands between here and the word on the same line was meant to be part of the head.
     const std::uint32_t found = token().first_on_line() ? count_ : find_on_line(word);

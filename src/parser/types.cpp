@@ -114,10 +114,8 @@ const ast::TypeDeclaration* Parser::parse_struct_before_name() {
     return node;
 }
 
-/// The `:` between a name and its type; `:=` and `=` are common slips for it.
-void Parser::expect_colon() {
-    if (!token().first_on_line() && accept(TokenKind::colon))
-        return;
+/// The `:` between a name and its type is not there; `:=` and `=` are common slips for it.
+void Parser::report_missing_colon() {
     if (at_next_declaration()) {
         report_unfinished(DiagnosticId::missing_type, {describe(at_)});
         return;
@@ -179,7 +177,7 @@ bool Parser::colon_follows_on_line() const noexcept {
 /// Whatever stands behind the `:` of a declaration.
 const ast::TypeSpecification* Parser::parse_type_specification(StructureUse use) {
     if (is_elementary_type_name(kind()) && !token().first_on_line())
-        return parse_elementary_type();
+        return is_plain_type() ? take<ast::ElementaryTypeName>() : parse_elementary_type();
     if (at_element_without_struct())
         return parse_structure_declaration();
     if (at_next_declaration())
@@ -217,6 +215,12 @@ const ast::TypeSpecification* Parser::parse_missing_type() {
     else
         report_at(at_, DiagnosticId::missing_type, {describe(at_)});
     return make_missing<ast::ErrorType>();
+}
+
+/// At a type behind which nothing stands that belongs to it.
+bool Parser::is_plain_type() const noexcept {
+    static constexpr TokenSet behind{TokenKind::semicolon, TokenKind::assign};
+    return behind.contains(tokens_[at_ + 1].kind());
 }
 
 // derived_type_name = single_element_type_name | array_type_name | structure_type_name
@@ -654,10 +658,10 @@ const ast::TypeSpecification* Parser::parse_structure_declaration() {
     std::uint32_t opener = at_;
     if (at_element_without_struct()) {
         opener = at_ - 1; // the `:`
-        ++unclosed(TokenKind::kw_end_struct);
+        change_unclosed(TokenKind::kw_end_struct, 1);
         report_missing(DiagnosticId::missing_token, {"`STRUCT`"}).insert(previous_end(), " STRUCT");
     } else if (at(TokenKind::identifier)) {
-        ++unclosed(TokenKind::kw_end_struct);
+        change_unclosed(TokenKind::kw_end_struct, 1);
         accept_misspelt(TokenKind::kw_struct);
     } else {
         advance();
@@ -790,6 +794,10 @@ const ast::Expression* Parser::parse_optional_initial_value() {
         expect_assign();
     else if (!accept(TokenKind::assign))
         return nullptr;
+    const bool alone = at(plain_operands) && tokens_[at_ + 1].kind() == TokenKind::semicolon &&
+                       tokens_[next(at_ + 1)].first_on_line();
+    if (alone)
+        return at_literal() ? parse_literal(at_) : parse_enumerated_value();
     static constexpr TokenSet opening{TokenKind::left_bracket, TokenKind::left_parenthesis};
     const bool lacks_bracket =
         !at(opening) && !token().first_on_line() && list_closes_on_line(TokenKind::right_bracket);

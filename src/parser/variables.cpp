@@ -74,10 +74,12 @@ bool Parser::at_end_of_declarations() {
     static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
     if (at_plain_declaration())
         return false;
+    if (at(open_.back().closer) && balanced() && !after_name.contains(peek()))
+        return true;
     if (at(ends_of_declarations))
         return at_end() || at_block_of_location() ||
                (!after_name.contains(peek()) && end_of_declaration_with_stray_word() == at_);
-    if (at_misspelt_closer() || at_foreign_closer() || at_next_structure())
+    if (at_misspelt_closer() || (!balanced() && at_foreign_closer()) || at_next_structure())
         return true;
     if (is_open(TokenKind::kw_end_configuration))
         return at_configuration_part() && unclosed(TokenKind::kw_end_var) > 0;
@@ -182,12 +184,20 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     parse_block_head(*node, place);
     if (at(block_openers) && kind() == tokens_[opener].kind() && on_same_line(opener, at_)) {
         report_unexpected("the declaration of a variable").remove(token().range());
-        --unclosed(TokenKind::kw_end_var);
+        change_unclosed(TokenKind::kw_end_var, -1);
         advance();
     }
     ListBuilder<ast::Node> declarations(*this);
-    while (!at_end_of_declarations())
-        add_in_loop(declarations, [&] { return parse_declaration(*node, place); });
+    const bool of_paths =
+        node->block == VariableBlock::var_access || node->block == VariableBlock::var_config;
+    for (;;) {
+        if (!of_paths && at_plain_declaration())
+            declarations.add(parse_variable_declaration(*node, place));
+        else if (!at_end_of_declarations())
+            add_in_loop(declarations, [&] { return parse_declaration(*node, place); });
+        else
+            break;
+    }
     if (declarations.empty())
         report_empty_block(opener);
     node->declarations = declarations.finish();
@@ -220,7 +230,7 @@ void Parser::parse_block_head(ast::VariableDeclarations& block, Place place) {
         advance();
         return;
     }
-    ++unclosed(TokenKind::kw_end_var);
+    change_unclosed(TokenKind::kw_end_var, 1);
     const bool globals = place == Place::configuration || place == Place::resource;
     block.block = globals ? VariableBlock::var_global : VariableBlock::var;
     if (const TokenKind meant = misspelt_block_opener(); meant != TokenKind::end_of_unit) {
@@ -382,8 +392,6 @@ const ast::Node* Parser::parse_declaration(const ast::VariableDeclarations& bloc
         return parse_access_declaration(place);
     if (block.block == VariableBlock::var_config)
         return parse_instance_specific_init();
-    if (at_plain_declaration())
-        return parse_variable_declaration(block, place);
     if (is_elementary_type_name(kind()) && peek() == TokenKind::identifier &&
         !tokens_[next(at_)].first_on_line())
         return parse_type_before_names();
@@ -453,13 +461,14 @@ void Parser::accept_qualifier_of_declaration(const ast::VariableDeclarations& bl
 const ast::VariableDeclaration*
 Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place place) {
     auto* node = make<ast::VariableDeclaration>();
-    ListBuilder<ast::Identifier> names(*this);
-    if (!at(TokenKind::kw_at) || peek() == TokenKind::colon || peek() == TokenKind::comma)
-        parse_declared_names(names, block);
-    node->names = names.finish();
+    if (at_plain_declaration())
+        node->names = list_of(parse_declared_name("the name of a variable"));
+    else if (!at(TokenKind::kw_at) || peek() == TokenKind::colon || peek() == TokenKind::comma)
+        node->names = parse_declared_names(block);
     if (at(TokenKind::identifier) && peek() == TokenKind::identifier && !colon_follows_on_line())
         return parse_names_only(node);
-    node->location = parse_optional_location();
+    if (at_location())
+        node->location = parse_optional_location();
     expect_colon();
     const bool edge_first =
         (at(TokenKind::kw_r_edge) || at(TokenKind::kw_f_edge)) && is_elementary_type_name(peek());
@@ -468,12 +477,14 @@ Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place
         node->edge = edge_of(tokens_[advance()].kind());
     }
     node->specification = parse_type_specification();
-    if (!edge_first)
-        node->edge = parse_optional_edge(block, place, *node->specification);
-    if (at(TokenKind::kw_at) && node->location == nullptr && !node->names.empty())
-        parse_location_behind_type(node->first_token, node->names.back()->end_token);
-    drop_qualifier_behind_type();
-    node->initial_value = parse_optional_initial_value();
+    if (!at(TokenKind::semicolon)) {
+        if (!edge_first)
+            node->edge = parse_optional_edge(block, place, *node->specification);
+        if (at(TokenKind::kw_at) && node->location == nullptr && !node->names.empty())
+            parse_location_behind_type(node->first_token, node->names.back()->end_token);
+        drop_qualifier_behind_type();
+        node->initial_value = parse_optional_initial_value();
+    }
     finish(node);
     check_declaration(*node, block, place);
     expect_semicolon_of_declaration();
@@ -530,27 +541,38 @@ const ast::VariableDeclaration* Parser::parse_names_only(ast::VariableDeclaratio
 // fb_name = identifier ;
 // global_var_list = global_var_name { "," global_var_name } ;
 // global_var_name = identifier ;
-void Parser::parse_declared_names(ListBuilder<ast::Identifier>& names,
-                                  const ast::VariableDeclarations& block) {
+Parser::Children<ast::Identifier>
+Parser::parse_declared_names(const ast::VariableDeclarations& block) {
+    ListBuilder<ast::Identifier> names(*this);
     do
         names.add(parse_variable_name(block));
     while (accept(TokenKind::comma) ||
            (at(TokenKind::identifier) && colon_follows_on_line() && accept_missing_comma()));
+    return names.finish();
 }
 
 /// Part of var1_list, variable_name: a declared one; EN and ENO have their places (6.1 D23).
 const ast::Identifier* Parser::parse_variable_name(const ast::VariableDeclarations& block) {
+    if (at(TokenKind::identifier))
+        return parse_declared_name("the name of a variable");
     const bool control = (at(TokenKind::kw_en) && block.block == VariableBlock::var_input) ||
                          (at(TokenKind::kw_eno) && block.block == VariableBlock::var_output);
     return control ? make_identifier() : parse_declared_name("the name of a variable");
 }
 
+/// At `AT`, or at a location that lacks it.
+bool Parser::at_location() const noexcept {
+    static constexpr TokenSet starts{TokenKind::kw_at, TokenKind::direct_variable,
+                                     TokenKind::incomplete_location};
+    return at(starts);
+}
+
 // location = "AT" direct_variable ;
 // incompl_location = "AT" ( "%I*" | "%Q*" | "%M*" ) ;
 const ast::Location* Parser::parse_optional_location() {
-    const bool located = at(TokenKind::direct_variable) || at(TokenKind::incomplete_location);
-    if (!at(TokenKind::kw_at) && !located)
+    if (!at_location())
         return nullptr;
+    const bool located = !at(TokenKind::kw_at);
     auto* node = make<ast::Location>();
     if (located)
         report_missing(DiagnosticId::missing_token, {"`AT`"}).insert(token().offset(), "AT ");
@@ -638,17 +660,28 @@ ast::Edge Parser::parse_optional_edge(const ast::VariableDeclarations& block, Pl
 
 void Parser::check_declaration(const ast::VariableDeclaration& declaration,
                                const ast::VariableDeclarations& block, Place place) {
+    if (declaration.initial_value != nullptr)
+        check_initial_value_in_block(declaration, block);
+    if (block.block == VariableBlock::var_external && declaration.names.size() > 1)
+        report(DiagnosticId::several_external_names,
+               token_range(declaration.names[1]->first_token, declaration.names.back()->end_token));
+    if (declaration.location != nullptr)
+        check_location(declaration, block, place);
+}
+
+void Parser::check_initial_value_in_block(const ast::VariableDeclaration& declaration,
+                                          const ast::VariableDeclarations& block) {
     const bool no_value =
         (block.block == VariableBlock::var_in_out || block.block == VariableBlock::var_temp ||
          block.block == VariableBlock::var_external) &&
         !has_derivable_value(declaration, block);
     const bool incomplete = declaration.location != nullptr && is_incomplete(*declaration.location);
-    if (declaration.initial_value != nullptr && (no_value || incomplete)) {
+    if (no_value || incomplete) {
         const std::uint32_t end = declaration.specification->end_token;
         report_node(*declaration.initial_value, DiagnosticId::unexpected_initial_value,
                     {incomplete ? "AT %...*" : std::string(text(block.first_token))})
             .remove({tokens_[end - 1].end(), tokens_[declaration.end_token - 1].end()});
-    } else if (block.block == VariableBlock::var_global && declaration.initial_value != nullptr &&
+    } else if (block.block == VariableBlock::var_global &&
                names_function_block(*declaration.specification)) {
         const std::uint32_t end = declaration.specification->end_token;
         report_node(*declaration.initial_value, DiagnosticId::unexpected_initial_value,
@@ -657,18 +690,13 @@ void Parser::check_declaration(const ast::VariableDeclaration& declaration,
     } else {
         check_initial_value(*declaration.specification, declaration.initial_value);
     }
-    if (block.block == VariableBlock::var_external && declaration.names.size() > 1)
-        report(DiagnosticId::several_external_names,
-               token_range(declaration.names[1]->first_token, declaration.names.back()->end_token));
-    if (declaration.location != nullptr)
-        check_location(declaration, block, place);
 }
 
 /// In blocks of variables without initial values: a string's, and in VAR_IN_OUT an instance's,
 /// stand in productions which these blocks share with others.
 bool Parser::has_derivable_value(const ast::VariableDeclaration& declaration,
                                  const ast::VariableDeclarations& block) const noexcept {
-    if (declaration.initial_value == nullptr || block.block == VariableBlock::var_external)
+    if (block.block == VariableBlock::var_external)
         return false;
     const ast::TypeSpecification& type = *declaration.specification;
     const TokenKind word = tokens_[type.first_token].kind();

@@ -97,16 +97,8 @@ namespace detail {
 
 // `hash_name` of the `size` bytes at `begin` in a text. A short name is loaded at once, with what
 // is before it.
-[[nodiscard]] inline std::uint32_t hash_name_within(std::string_view text, std::size_t begin,
-                                                    std::size_t size) noexcept {
-    constexpr std::size_t step = sizeof(std::uint64_t);
-    if (size > step)
-        return hash_long_name({text.data() + begin, size});
-    if (begin + size < step || size == 0)
-        return hash_name({text.data() + begin, size});
-    const std::uint64_t bytes = load_bytes(text.data() + begin + size - step, step);
-    return static_cast<std::uint32_t>(mix_name(size, bytes >> (8 * (step - size))));
-}
+[[nodiscard]] IECFRONT_API std::uint32_t hash_name_within(const char* text, std::size_t begin,
+                                                          std::size_t size) noexcept;
 
 } // namespace detail
 
