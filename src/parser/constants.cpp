@@ -38,31 +38,28 @@ const ast::Expression* Parser::parse_constant() {
 
 /// Part of constant: the literal behind its sign, which is the token `first` or not there.
 const ast::Expression* Parser::parse_literal(std::uint32_t first) {
-    const auto take = [&]<class T>(T* node) -> const ast::Expression* {
-        node->first_token = first;
-        node->literal_token = at_;
-        node->end_token = at_ + 1;
-        advance();
-        return node;
-    };
     switch (kind()) {
-    case TokenKind::real: return take(create<ast::RealLiteral>());
+    case TokenKind::real: return take_literal<ast::RealLiteral>(first);
     case TokenKind::single_byte_string:
-    case TokenKind::double_byte_string: return take(create<ast::CharacterString>());
-    case TokenKind::duration: return take(create<ast::Duration>());
-    case TokenKind::time_of_day: return take(create<ast::TimeOfDay>());
-    case TokenKind::date: return take(create<ast::Date>());
-    case TokenKind::date_and_time: return take(create<ast::DateAndTime>());
+    case TokenKind::double_byte_string: return take_literal<ast::CharacterString>(first);
+    case TokenKind::duration: return take_literal<ast::Duration>(first);
+    case TokenKind::time_of_day: return take_literal<ast::TimeOfDay>(first);
+    case TokenKind::date: return take_literal<ast::Date>(first);
+    case TokenKind::date_and_time: return take_literal<ast::DateAndTime>(first);
     case TokenKind::kw_true:
-    case TokenKind::kw_false: return take(create<ast::BooleanLiteral>());
-    case TokenKind::typed_literal: break;
-    default: return take(create<ast::IntegerLiteral>());
+    case TokenKind::kw_false: return take_literal<ast::BooleanLiteral>(first);
+    case TokenKind::typed_literal: return parse_typed_literal(first);
+    default: return take_literal<ast::IntegerLiteral>(first);
     }
+}
+
+/// Part of constant: the same of a literal with a type.
+const ast::Expression* Parser::parse_typed_literal(std::uint32_t first) {
     switch (typed_literal_kind(text(at_))) {
-    case ast::NodeKind::real_literal: return take(create<ast::RealLiteral>());
-    case ast::NodeKind::bit_string_literal: return take(create<ast::BitStringLiteral>());
-    case ast::NodeKind::boolean_literal: return take(create<ast::BooleanLiteral>());
-    default: return take(create<ast::IntegerLiteral>());
+    case ast::NodeKind::real_literal: return take_literal<ast::RealLiteral>(first);
+    case ast::NodeKind::bit_string_literal: return take_literal<ast::BitStringLiteral>(first);
+    case ast::NodeKind::boolean_literal: return take_literal<ast::BooleanLiteral>(first);
+    default: return take_literal<ast::IntegerLiteral>(first);
     }
 }
 

@@ -301,7 +301,7 @@ TextRange Parser::token_range(std::uint32_t first, std::uint32_t end) const noex
 // ---- names --------------------------------------------------------------------------------------
 
 const ast::Identifier* Parser::make_identifier() {
-    return take_name<ast::Identifier>();
+    return take_word<ast::Identifier>();
 }
 
 const ast::Identifier* Parser::make_missing_identifier(std::string_view what) {
@@ -316,11 +316,8 @@ const ast::Identifier* Parser::make_missing_identifier(std::string_view what) {
 // identifier = ( letter | "_" ( letter | digit ) ) { [ "_" ] ( letter | digit ) } ;
 /// A name that is used.
 const ast::Identifier* Parser::parse_name(std::string_view what) {
-    if (at(TokenKind::identifier)) {
-        const ast::Identifier* name = make_identifier();
-        check_standard_name(name->first_token, name->hash, NameUse::other);
-        return name;
-    }
+    if (at(TokenKind::identifier))
+        return take_name<ast::Identifier>(NameUse::other);
     static constexpr TokenSet behind_parameter{TokenKind::assign, TokenKind::output_arrow};
     if (is_keyword(kind()) && !at_next_declaration() &&
         (used_as_name(kind()) || at_operand_keyword() || behind_parameter.contains(peek())))
@@ -340,11 +337,8 @@ const ast::Identifier* Parser::parse_declared_name(std::string_view what) {
                                          TokenKind::kw_on,
                                          TokenKind::kw_with,
                                          TokenKind::right_parenthesis};
-    if (at(TokenKind::identifier)) {
-        const auto* name = take_name<ast::Identifier>();
-        check_standard_name(name->first_token, name->hash, NameUse::declaration);
-        return name;
-    }
+    if (at(TokenKind::identifier))
+        return take_name<ast::Identifier>(NameUse::declaration);
     const bool alone = at_operand_keyword() && tokens_[next(at_)].first_on_line();
     if (is_keyword(kind()) && (after_name.contains(peek()) || alone))
         return take_reserved_word();
@@ -358,6 +352,8 @@ const ast::Identifier* Parser::parse_declared_name(std::string_view what) {
 void Parser::check_name_of_standard(TextRange range, std::uint32_t hash, NameUse use) {
     const std::string_view name(text_.data() + range.begin, range.size());
     const StandardName standard = find_standard_name(name, hash);
+    if (use == NameUse::variable)
+        use = at(TokenKind::left_parenthesis) ? NameUse::call : NameUse::other;
     const bool function = standard == StandardName::function;
     if (standard == StandardName::none || use == (function ? NameUse::call : NameUse::type) ||
         std::find(standard_names_.begin(), standard_names_.end(), hash) != standard_names_.end())

@@ -556,7 +556,7 @@ const ast::Expression* Parser::parse_parenthesized() {
 /// Part of primary_expression: `AND(a, b)` and its like, an operator that stands for the function
 /// of its name (6.1 D25).
 const ast::Expression* Parser::parse_operator_call() {
-    return parse_selectors(take_name<ast::VariableName>());
+    return parse_selectors(take_word<ast::VariableName>());
 }
 
 /// At an operator that is also a function: true when `name :=` or `name =>` follows the
@@ -581,20 +581,12 @@ const ast::Expression* Parser::parse_variable_name() {
         return parse_plain_name();
     if (!at(execution_control) || used_as_name(kind()))
         report_reserved_word(at_);
-    return take_name<ast::VariableName>();
+    return take_word<ast::VariableName>();
 }
 
 /// Part of variable_name: an identifier.
 const ast::Expression* Parser::parse_plain_name() {
-    const auto* name = take_name<ast::VariableName>();
-    return may_be_standard_name(text(name->first_token), name->hash) ? check_variable_name(name)
-                                                                     : name;
-}
-
-const ast::VariableName* Parser::check_variable_name(const ast::VariableName* name) {
-    check_name_of_standard(tokens_[name->first_token].range(), name->hash,
-                           at(TokenKind::left_parenthesis) ? NameUse::call : NameUse::other);
-    return name;
+    return take_name<ast::VariableName>(NameUse::variable);
 }
 
 // array_variable = subscripted_variable subscript_list ;

@@ -79,9 +79,12 @@ void Parser::check_initial_steps(const ast::SequentialFunctionChart& chart) {
         return folded(text(name.first_token));
     };
     const ChartElements elements = elements_of(chart);
-    if (std::none_of(elements.steps.begin(), elements.steps.end(),
-                     [](const ast::Step* step) { return step->initial; }))
+    const auto initial_steps = std::count_if(elements.steps.begin(), elements.steps.end(),
+                                             [](const ast::Step* step) { return step->initial; });
+    if (initial_steps == 0)
         report_at(chart.first_token, DiagnosticId::no_initial_step);
+    if (initial_steps < 2) // as in most charts
+        return;
     StepGroups groups;
     for (const ast::Step* step : elements.steps)
         groups.add(name_of(*step->name));

@@ -8,6 +8,7 @@
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/ast/unit.hpp>
 #include <iecfront/diagnostics/diagnostic.hpp>
+#include <iecfront/lexer/name.hpp>
 #include <iecfront/lexer/standard_names.hpp>
 #include <iecfront/lexer/token.hpp>
 
@@ -128,6 +129,9 @@ private:
     bool expect(TokenKind kind);
 
     // ---- cursor.cpp: nodes ----------------------------------------------------------------------
+    /// What is made of a name; of a `variable` it is told by the `(` behind it whether it is
+    /// called.
+    enum class NameUse : std::uint8_t { declaration, type, call, variable, other };
     template<class T>
     T* create() {
         void* memory = arena_.try_allocate(sizeof(T), alignof(T));
@@ -152,15 +156,26 @@ private:
         advance();
         return node;
     }
-    /// The same of a name.
+    /// The same of a word that is not looked at any further.
     template<class T>
-    T* take_name() {
+    T* take_word() {
+        const std::uint32_t hash = hash_name(text(at_));
+        T* node = take<T>();
+        node->hash = hash;
+        return node;
+    }
+    /// The same of a name, which may not be one of the standard but for some uses.
+    template<class T>
+    T* take_name(NameUse use) {
         T* node = create<T>();
         const Token word = token();
         node->first_token = at_;
         node->end_token = at_ + 1;
-        node->hash = detail::hash_name_within(text_.data(), word.offset(), word.length());
+        const NameLook look = look_at_name(text_.data(), word.offset(), word.length());
+        node->hash = look.hash;
         advance();
+        if (look.may_be_standard)
+            check_standard_name(node->first_token, look.hash, use);
         return node;
     }
     /// A node that begins where `first`, already parsed, does.
@@ -337,11 +352,9 @@ private:
     void report_reserved_word(std::uint32_t token);
     [[nodiscard]] std::string free_suffix(std::string_view word) const;
     const ast::Identifier* take_reserved_word();
-    enum class NameUse : std::uint8_t { declaration, type, call, other };
     /// About a token, of which `hash` is the hash.
     void check_standard_name(std::uint32_t word, std::uint32_t hash, NameUse use) {
-        if (may_be_standard_name(text(word), hash))
-            check_name_of_standard(tokens_[word].range(), hash, use);
+        check_name_of_standard(tokens_[word].range(), hash, use);
     }
     void check_name_of_standard(TextRange range, std::uint32_t hash, NameUse use);
     [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
@@ -420,6 +433,14 @@ private:
     // ---- constants.cpp: B.1.2
     const ast::Expression* parse_constant();
     const ast::Expression* parse_literal(std::uint32_t first);
+    const ast::Expression* parse_typed_literal(std::uint32_t first);
+    template<class T>
+    const ast::Expression* take_literal(std::uint32_t first) {
+        T* node = take<T>();
+        node->literal_token = node->first_token;
+        node->first_token = first;
+        return node;
+    }
     [[nodiscard]] bool at_literal() const noexcept { return at(literals); }
     [[nodiscard]] bool at_signed_number() const noexcept;
     [[nodiscard]] bool is_signed_integer(const ast::Expression& expression) const noexcept;
@@ -540,7 +561,8 @@ private:
     const ast::Node* parse_declaration(const ast::VariableDeclarations& block, Place place);
     const ast::VariableDeclaration*
     parse_variable_declaration(const ast::VariableDeclarations& block, Place place);
-    Children<ast::Identifier> parse_declared_names(const ast::VariableDeclarations& block);
+    void parse_declared_names(ListBuilder<ast::Identifier>& names,
+                              const ast::VariableDeclarations& block);
     const ast::Identifier* parse_variable_name(const ast::VariableDeclarations& block);
     [[nodiscard]] bool at_location() const noexcept;
     const ast::Location* parse_optional_location();
@@ -688,7 +710,6 @@ private:
     const ast::Expression* parse_variable();
     const ast::Expression* parse_variable_name();
     const ast::Expression* parse_plain_name();
-    const ast::VariableName* check_variable_name(const ast::VariableName* name);
     const ast::Expression* parse_selectors(const ast::Expression* head);
     const ast::Expression* parse_subscripts(const ast::Expression* head);
     const ast::Expression* parse_field(const ast::Expression* head);

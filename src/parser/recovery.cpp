@@ -91,7 +91,10 @@ bool Parser::is_open(TokenKind closer) const noexcept {
 
 void Parser::find_balances() noexcept {
     count_balances();
-    balanced_ = std::all_of(unclosed_.begin(), unclosed_.end(), [](auto one) { return one == 0; });
+    std::uint32_t any = 0;
+    for (const std::int32_t one : unclosed_)
+        any |= static_cast<std::uint32_t>(one);
+    balanced_ = any == 0;
 }
 
 void Parser::change_unclosed(TokenKind closer, std::int32_t by) noexcept {

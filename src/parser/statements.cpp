@@ -1029,6 +1029,9 @@ const ast::Statement* Parser::parse_case_without_head() {
 
 /// True when a label begins here: a constant or name with `:`, `,` or `..` behind it.
 bool Parser::at_case_label() const noexcept {
+    static constexpr TokenSet plain_labels{TokenKind::integer, TokenKind::identifier};
+    if (at(plain_labels) && tokens_[at_ + 1].kind() == TokenKind::colon)
+        return tokens_[next(at_ + 1)].kind() != TokenKind::equal;
     if (at(TokenKind::left_parenthesis))
         return at_label_in_parentheses();
     std::uint32_t label = at_;

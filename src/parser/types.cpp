@@ -233,11 +233,8 @@ bool Parser::is_plain_type() const noexcept {
 // structure_type_name = identifier ;
 // string_type_name = identifier ;
 const ast::TypeSpecification* Parser::parse_type_name() {
-    const bool identifier = at(TokenKind::identifier);
-    const auto* node = take_name<ast::DerivedTypeName>();
-    if (identifier)
-        check_standard_name(node->first_token, node->hash, NameUse::type);
-    return node;
+    return at(TokenKind::identifier) ? take_name<ast::DerivedTypeName>(NameUse::type)
+                                     : take_word<ast::DerivedTypeName>();
 }
 
 /// Part of simple_specification, subrange_specification: what begins with the name of a type.

@@ -461,10 +461,13 @@ void Parser::accept_qualifier_of_declaration(const ast::VariableDeclarations& bl
 const ast::VariableDeclaration*
 Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place place) {
     auto* node = make<ast::VariableDeclaration>();
-    if (at_plain_declaration())
+    if (at_plain_declaration()) {
         node->names = list_of(parse_declared_name("the name of a variable"));
-    else if (!at(TokenKind::kw_at) || peek() == TokenKind::colon || peek() == TokenKind::comma)
-        node->names = parse_declared_names(block);
+    } else if (!at(TokenKind::kw_at) || peek() == TokenKind::colon || peek() == TokenKind::comma) {
+        ListBuilder<ast::Identifier> names(*this);
+        parse_declared_names(names, block);
+        node->names = names.finish();
+    }
     if (at(TokenKind::identifier) && peek() == TokenKind::identifier && !colon_follows_on_line())
         return parse_names_only(node);
     if (at_location())
@@ -541,14 +544,12 @@ const ast::VariableDeclaration* Parser::parse_names_only(ast::VariableDeclaratio
 // fb_name = identifier ;
 // global_var_list = global_var_name { "," global_var_name } ;
 // global_var_name = identifier ;
-Parser::Children<ast::Identifier>
-Parser::parse_declared_names(const ast::VariableDeclarations& block) {
-    ListBuilder<ast::Identifier> names(*this);
+void Parser::parse_declared_names(ListBuilder<ast::Identifier>& names,
+                                  const ast::VariableDeclarations& block) {
     do
         names.add(parse_variable_name(block));
     while (accept(TokenKind::comma) ||
            (at(TokenKind::identifier) && colon_follows_on_line() && accept_missing_comma()));
-    return names.finish();
 }
 
 /// Part of var1_list, variable_name: a declared one; EN and ENO have their places (6.1 D23).

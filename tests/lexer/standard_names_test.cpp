@@ -1,3 +1,5 @@
+#include "lexer/standard_names.hpp"
+
 #include <iecfront/lexer/standard_names.hpp>
 
 #include <gtest/gtest.h>
@@ -9,8 +11,12 @@ using namespace iecfront;
 namespace {
 
 void expect_all(StandardName expected, std::initializer_list<std::string_view> names) {
-    for (const std::string_view name : names)
+    for (const std::string_view name : names) {
         EXPECT_EQ(standard_name(name), expected) << name;
+        EXPECT_TRUE(expected == StandardName::none ||
+                    look_at_name(name.data(), 0, name.size()).may_be_standard)
+            << name;
+    }
 }
 
 TEST(StandardNames, FunctionsOf2515) {

@@ -93,15 +93,6 @@ namespace detail {
         detail::mix_name(name.size(), detail::load_bytes(name.data(), name.size())));
 }
 
-namespace detail {
-
-// `hash_name` of the `size` bytes at `begin` in a text. A short name is loaded at once, with what
-// is before it.
-[[nodiscard]] IECFRONT_API std::uint32_t hash_name_within(const char* text, std::size_t begin,
-                                                          std::size_t size) noexcept;
-
-} // namespace detail
-
 /// True when both are the same name: equal but for case.
 [[nodiscard]] constexpr bool names_equal(std::string_view a, std::string_view b) noexcept {
     if (a.size() != b.size())
