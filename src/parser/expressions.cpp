@@ -806,9 +806,10 @@ Parser::Children<ast::Node> Parser::parse_arguments() {
         std::optional<Report> semicolons;
         do
             arguments.add(last = parse_argument(open));
-        while (accept_argument_comma(open, is_formal(*last)) ||
-               accept_semicolon_of_arguments(is_formal(*last), semicolons) ||
-               accept_missing_comma(is_formal(*last)));
+        while (!at(TokenKind::right_parenthesis) &&
+               (accept_argument_comma(open, is_formal(*last)) ||
+                accept_semicolon_of_arguments(is_formal(*last), semicolons) ||
+                accept_missing_comma(is_formal(*last))));
     }
     static constexpr TokenSet expected{TokenKind::right_parenthesis, TokenKind::right_bracket,
                                        TokenKind::semicolon};
@@ -978,7 +979,10 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
         output->variable = parse_output_variable();
         return finish(output);
     }
-    if (behind != TokenKind::assign && at_output_slip(open)) {
+    static constexpr TokenSet slips{TokenKind::equal, TokenKind::equal_equal, TokenKind::minus,
+                                    TokenKind::less_equal, TokenKind::greater_equal};
+    const bool slip = at(TokenKind::identifier) && slips.contains(behind);
+    if (slip && at_output_slip(open)) {
         auto* output = make<ast::OutputArgument>();
         output->name = parse_argument_name();
         accept_mark_slip(mark_slip(at_));
@@ -1004,10 +1008,6 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
 
 /// `name = > variable`, and where other arguments are formal also `name >= variable`.
 bool Parser::at_output_slip(std::uint32_t open) const noexcept {
-    static constexpr TokenSet slips{TokenKind::equal, TokenKind::equal_equal, TokenKind::minus,
-                                    TokenKind::less_equal, TokenKind::greater_equal};
-    if (!at(TokenKind::identifier) || !slips.contains(peek()))
-        return false;
     const MarkSlip slip = mark_slip(next(at_));
     return slip.meant == TokenKind::output_arrow &&
            (peek() == TokenKind::equal ||

@@ -537,6 +537,7 @@ private:
     };
     const ast::VariableDeclarations* parse_variable_declarations(Place place);
     [[nodiscard]] bool at_plain_declaration() const noexcept;
+    [[nodiscard]] bool at_named_declaration();
     [[nodiscard]] bool at_end_of_declarations();
     [[nodiscard]] bool at_declarations_without_opener();
     [[nodiscard]] bool at_block_of_location();

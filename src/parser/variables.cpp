@@ -70,9 +70,17 @@ bool Parser::at_plain_declaration() const noexcept {
            !tokens_[at_ + 1].first_on_line() && is_elementary_type_name(tokens_[at_ + 2].kind());
 }
 
+/// `name :` begins one as well, whatever else a statement or an instruction may be, where no block
+/// is open.
+bool Parser::at_named_declaration() {
+    return at_plain_declaration() ||
+           (at(TokenKind::identifier) && tokens_[at_ + 1].kind() == TokenKind::colon &&
+            !tokens_[at_ + 1].first_on_line() && balanced());
+}
+
 bool Parser::at_end_of_declarations() {
     static constexpr TokenSet after_name{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
-    if (at_plain_declaration())
+    if (at_named_declaration())
         return false;
     if (at(open_.back().closer) && balanced() && !after_name.contains(peek()))
         return true;
@@ -191,7 +199,7 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     const bool of_paths =
         node->block == VariableBlock::var_access || node->block == VariableBlock::var_config;
     for (;;) {
-        if (!of_paths && at_plain_declaration())
+        if (!of_paths && at_named_declaration())
             declarations.add(parse_variable_declaration(*node, place));
         else if (!at_end_of_declarations())
             add_in_loop(declarations, [&] { return parse_declaration(*node, place); });
@@ -461,7 +469,7 @@ void Parser::accept_qualifier_of_declaration(const ast::VariableDeclarations& bl
 const ast::VariableDeclaration*
 Parser::parse_variable_declaration(const ast::VariableDeclarations& block, Place place) {
     auto* node = make<ast::VariableDeclaration>();
-    if (at_plain_declaration()) {
+    if (at(TokenKind::identifier) && tokens_[at_ + 1].kind() == TokenKind::colon) {
         node->names = list_of(parse_declared_name("the name of a variable"));
     } else if (!at(TokenKind::kw_at) || peek() == TokenKind::colon || peek() == TokenKind::comma) {
         ListBuilder<ast::Identifier> names(*this);
