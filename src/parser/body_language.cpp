@@ -15,12 +15,12 @@ constexpr TokenSet common_operators{TokenKind::kw_and, TokenKind::kw_or,  TokenK
 
 /// A name or a literal.
 bool Parser::begins_operand(TokenKind kind) noexcept {
-    static constexpr TokenSet words{TokenKind::identifier,      TokenKind::enumerated_value,
-                                    TokenKind::direct_variable, TokenKind::kw_true,
-                                    TokenKind::kw_false,        TokenKind::kw_en,
-                                    TokenKind::kw_eno};
-    return words.contains(kind) ||
-           TokenSet::range(TokenKind::integer, TokenKind::date_and_time).contains(kind);
+    static constexpr TokenSet operands =
+        TokenSet::range(TokenKind::integer, TokenKind::date_and_time) |
+        TokenSet{TokenKind::identifier, TokenKind::enumerated_value, TokenKind::direct_variable,
+                 TokenKind::kw_true,    TokenKind::kw_false,         TokenKind::kw_en,
+                 TokenKind::kw_eno};
+    return operands.contains(kind);
 }
 
 /// True when the word at token `index`, which can begin a step, transition or action, does so.

@@ -1041,11 +1041,11 @@ bool Parser::at_case_label() const noexcept {
     if (is_keyword(here) && here != TokenKind::kw_else)
         if (tokens_[next(label)].kind() == TokenKind::colon)
             return true;
+    static constexpr TokenSet type_names = TokenSet::range(TokenKind::kw_bool, TokenKind::kw_date);
     const bool value = here == TokenKind::identifier || here == TokenKind::enumerated_value ||
                        (here >= TokenKind::integer && here <= TokenKind::date_and_time) ||
                        here == TokenKind::kw_true || here == TokenKind::kw_false ||
-                       TokenSet::range(TokenKind::kw_bool, TokenKind::kw_date).contains(here) ||
-                       used_as_name(here);
+                       type_names.contains(here) || used_as_name(here);
     if (!value)
         return false;
     const bool name = here == TokenKind::identifier || used_as_name(here);

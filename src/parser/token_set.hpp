@@ -8,7 +8,8 @@
 
 namespace iecfront {
 
-/// A set of token kinds, as bits.
+/// A set of token kinds. A byte for each, as that is asked for with one look, and far more often
+/// than sets are made.
 class TokenSet {
 public:
     constexpr TokenSet(std::initializer_list<TokenKind> kinds) noexcept {
@@ -23,21 +24,17 @@ public:
         return set;
     }
     [[nodiscard]] constexpr bool contains(TokenKind kind) const noexcept {
-        const auto i = static_cast<unsigned>(kind);
-        return ((bits_[i / 64] >> (i % 64)) & 1U) != 0;
+        return holds_[static_cast<std::size_t>(kind)];
     }
     friend constexpr TokenSet operator|(TokenSet a, const TokenSet& b) noexcept {
-        for (std::size_t i = 0; i < a.bits_.size(); ++i)
-            a.bits_[i] |= b.bits_[i];
+        for (std::size_t i = 0; i < a.holds_.size(); ++i)
+            a.holds_[i] = a.holds_[i] || b.holds_[i];
         return a;
     }
 
 private:
-    constexpr void add(TokenKind kind) noexcept {
-        const auto i = static_cast<unsigned>(kind);
-        bits_[i / 64] |= std::uint64_t{1} << (i % 64);
-    }
-    std::array<std::uint64_t, (token_kind_count + 63) / 64> bits_{};
+    constexpr void add(TokenKind kind) noexcept { holds_[static_cast<std::size_t>(kind)] = true; }
+    std::array<bool, token_kind_count> holds_{};
 };
 
 } // namespace iecfront
