@@ -242,8 +242,12 @@ public:
     }
 
 private:
-    static constexpr std::size_t row(char letter) noexcept { return letter & 0x5FU; } // any case
-    static constexpr std::uint32_t bit(char letter) noexcept { return 1U << (letter & 0x1FU); }
+    static constexpr std::size_t row(char letter) noexcept {
+        return static_cast<unsigned char>(letter) & 0x5FU; // any case
+    }
+    static constexpr std::uint32_t bit(char letter) noexcept {
+        return 1U << (static_cast<unsigned char>(letter) & 0x1FU);
+    }
     std::array<std::uint32_t, 0x60> before_{};
 };
 
