@@ -6,7 +6,6 @@
 #include <iecfront/lexer/name.hpp>
 
 #include <array>
-#include <initializer_list>
 #include <optional>
 
 namespace iecfront {
@@ -194,89 +193,16 @@ constexpr NameTable<name_count> name_table(names);
     return false;
 }
 
-// How long the name is that has some hash, as far as eleven bits tell.
-class LengthsByHash {
-public:
-    template<std::size_t Count>
-    explicit consteval LengthsByHash(const std::array<std::string_view, Count>& all) {
-        while (!add_all(all))
-            ++shift_; // else two names of different lengths have the same bits
-    }
-    [[nodiscard]] constexpr bool may_hold(std::string_view name,
-                                          std::uint32_t hash) const noexcept {
-        return lengths_[slot(hash)] == name.size();
-    }
-
-private:
-    static constexpr std::size_t size = 2048;
-
-    template<std::size_t Count>
-    constexpr bool add_all(const std::array<std::string_view, Count>& all) {
-        lengths_ = {};
-        for (const std::string_view name : all) {
-            std::uint8_t& length = lengths_[slot(hash_name(name))];
-            if (length != 0 && length != name.size())
-                return false;
-            length = static_cast<std::uint8_t>(name.size());
-        }
-        return true;
-    }
-    [[nodiscard]] constexpr std::size_t slot(std::uint32_t hash) const noexcept {
-        return (hash >> shift_) % size;
-    }
-
-    std::uint32_t shift_ = 0;
-    std::array<std::uint8_t, size> lengths_{};
-};
-
-// The last two letters of the elementary types, and of TIME_OF_DAY, in which the names end that are
-// not listed: for each last letter the ones before it, as bits. Other bytes may pass for letters.
-class LastLetters {
-public:
-    explicit consteval LastLetters(std::initializer_list<std::string_view> endings) {
-        for (const std::string_view ending : endings)
-            before_[row(ending[1])] |= bit(ending[0]);
-    }
-    [[nodiscard]] constexpr bool end(std::string_view name) const noexcept {
-        return name.size() >= 2 && (before_[row(name.back())] & bit(name[name.size() - 2])) != 0;
-    }
-
-private:
-    static constexpr std::size_t row(char letter) noexcept {
-        return static_cast<unsigned char>(letter) & 0x5FU; // any case
-    }
-    static constexpr std::uint32_t bit(char letter) noexcept {
-        return 1U << (static_cast<unsigned char>(letter) & 0x1FU);
-    }
-    std::array<std::uint32_t, 0x60> before_{};
-};
-
-constexpr LastLetters last_letters_of_types{"RD", "OD", "ME", "TE", "NG",
-                                            "OL", "AL", "NT", "DT", "AY"};
-
-constexpr LengthsByHash lengths(names);
-
 } // namespace
 
-NameLook look_at_name(const char* text, std::size_t begin, std::size_t size) noexcept {
-    constexpr std::size_t step = sizeof(std::uint64_t);
-    const std::string_view name(text + begin, size);
-    std::uint32_t hash = 0;
-    if (size > step || begin + size < step || size == 0) {
-        hash = hash_name(name);
-    } else {
-        const std::uint64_t bytes = detail::load_bytes(name.data() + size - step, step);
-        hash = static_cast<std::uint32_t>(detail::mix_name(size, bytes >> (8 * (step - size))));
-    }
-    return {hash, lengths.may_hold(name, hash) || last_letters_of_types.end(name)};
-}
+constexpr detail::LengthsByHash detail::lengths_of_standard_names(names);
 
 StandardName find_standard_name(std::string_view name, std::uint32_t hash) noexcept {
     if (name.size() > longest_name)
         return StandardName::none;
     if (const std::size_t index = name_table.find(name, hash); index != name_count)
         return index < functions.size() ? StandardName::function : StandardName::function_block;
-    if (last_letters_of_types.end(name) && ends_in_type(name) &&
+    if (detail::last_letters_of_types.end(name) && ends_in_type(name) &&
         (is_typed_function(name) || is_conversion(name)))
         return StandardName::function;
     return StandardName::none;

@@ -38,6 +38,8 @@ const ast::Expression* Parser::parse_constant() {
 
 /// Part of constant: the literal behind its sign, which is the token `first` or not there.
 const ast::Expression* Parser::parse_literal(std::uint32_t first) {
+    if (at(TokenKind::integer)) // as nearly all are
+        return take_literal<ast::IntegerLiteral>(first);
     switch (kind()) {
     case TokenKind::real: return take_literal<ast::RealLiteral>(first);
     case TokenKind::single_byte_string:

@@ -317,7 +317,7 @@ const ast::Identifier* Parser::make_missing_identifier(std::string_view what) {
 /// A name that is used.
 const ast::Identifier* Parser::parse_name(std::string_view what) {
     if (at(TokenKind::identifier))
-        return take_name<ast::Identifier>(NameUse::other);
+        return take_name<ast::Identifier, NameUse::other>();
     static constexpr TokenSet behind_parameter{TokenKind::assign, TokenKind::output_arrow};
     if (is_keyword(kind()) && !at_next_declaration() &&
         (used_as_name(kind()) || at_operand_keyword() || behind_parameter.contains(peek())))
@@ -338,11 +338,16 @@ const ast::Identifier* Parser::parse_declared_name(std::string_view what) {
                                          TokenKind::kw_with,
                                          TokenKind::right_parenthesis};
     if (at(TokenKind::identifier))
-        return take_name<ast::Identifier>(NameUse::declaration);
+        return take_name<ast::Identifier, NameUse::declaration>();
     const bool alone = at_operand_keyword() && tokens_[next(at_)].first_on_line();
     if (is_keyword(kind()) && (after_name.contains(peek()) || alone))
         return take_reserved_word();
     return make_missing_identifier(what);
+}
+
+const ast::Node* Parser::check_name(const ast::Node* name, std::uint32_t hash, NameUse use) {
+    check_standard_name(name->first_token, hash, use);
+    return name;
 }
 
 // function_name = standard_function_name | derived_function_name ;

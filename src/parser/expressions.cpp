@@ -174,8 +174,17 @@ const ast::Expression* Parser::parse_condition() {
 // term = power_expression { multiply_operator power_expression } ;
 // power_expression = unary_expression { "**" unary_expression } ;
 const ast::Expression* Parser::parse_binary(unsigned minimum) {
-    const ast::Expression* const left = at_plain_operand() ? parse_plain_operand() : parse_unary();
-    return at_operator() ? parse_binary_rest(left, minimum) : left;
+    const ast::Expression* const left =
+        at_plain_operand() ? parse_plain_operand() : parse_doubtful_unary();
+    return may_be_at_operator(minimum) ? parse_binary_rest(left, minimum) : left;
+}
+
+/// False where `parse_binary_rest` would consume nothing, mostly. What is an operator by itself may
+/// be a part of one that binds tighter.
+bool Parser::may_be_at_operator(unsigned minimum) const noexcept {
+    const unsigned strength = plain_operators[static_cast<std::size_t>(kind())].strength;
+    return strength >= minimum ||
+           (strength != 0 && (in_instructions_ || second_halves.contains(tokens_[at_ + 1].kind())));
 }
 
 /// At what is an operator, or may be one.
@@ -324,8 +333,11 @@ void Parser::accept_split_operator(TokenKind meant) {
 //                    ( ":=" expression | "=>" variable ) { "," param_assignment } ")" ;
 // unary_operator = "-" | "NOT" ;
 const ast::Expression* Parser::parse_unary() {
-    if (at_plain_operand())
-        return parse_plain_operand();
+    return at_plain_operand() ? parse_plain_operand() : parse_doubtful_unary();
+}
+
+/// Part of unary_expression: one that is no plain operand.
+const ast::Expression* Parser::parse_doubtful_unary() {
     if (at_plain_variable())
         return check_function_call(parse_selectors(parse_plain_name()));
     if (at(TokenKind::left_parenthesis))
@@ -586,7 +598,7 @@ const ast::Expression* Parser::parse_variable_name() {
 
 /// Part of variable_name: an identifier.
 const ast::Expression* Parser::parse_plain_name() {
-    return take_name<ast::VariableName>(NameUse::variable);
+    return take_name<ast::VariableName, NameUse::variable>();
 }
 
 // array_variable = subscripted_variable subscript_list ;

@@ -104,15 +104,17 @@ private:
 
     std::uint32_t advance() noexcept {
         const std::uint32_t index = at_;
-        if (at_end())
-            return index;
-        end_ = index + 1;
-        std::uint32_t behind = index;
-        do
-            ++behind;
-        while (tokens_[behind].kind() == TokenKind::unknown);
-        move_to(behind);
+        if (!at_end())
+            pass();
         return index;
+    }
+    /// The same of a token that is not the end. A report may have gone there: see expect_reports.
+    void pass() noexcept {
+        std::uint32_t behind = at_ + 1;
+        end_ = behind;
+        while (tokens_[behind].kind() == TokenKind::unknown)
+            ++behind;
+        move_to(behind);
     }
     void move_to(std::uint32_t index) noexcept {
         at_ = index;
@@ -165,17 +167,17 @@ private:
         return node;
     }
     /// The same of a name, which may not be one of the standard but for some uses.
-    template<class T>
-    T* take_name(NameUse use) {
+    template<class T, NameUse use>
+    const T* take_name() {
         T* node = create<T>();
         const Token word = token();
         node->first_token = at_;
         node->end_token = at_ + 1;
+        pass();
         const NameLook look = look_at_name(text_.data(), word.offset(), word.length());
         node->hash = look.hash;
-        advance();
-        if (look.may_be_standard)
-            check_standard_name(node->first_token, look.hash, use);
+        if (look.may_be_standard) [[unlikely]]
+            return static_cast<const T*>(check_name(node, look.hash, use));
         return node;
     }
     /// A node that begins where `first`, already parsed, does.
@@ -357,6 +359,8 @@ private:
         check_name_of_standard(tokens_[word].range(), hash, use);
     }
     void check_name_of_standard(TextRange range, std::uint32_t hash, NameUse use);
+    /// About a name that was made; gives it.
+    const ast::Node* check_name(const ast::Node* name, std::uint32_t hash, NameUse use);
     [[nodiscard]] bool used_as_name(TokenKind kind) const noexcept;
     [[nodiscard]] bool at_keyword_for_variable();
 
@@ -698,11 +702,13 @@ private:
     const ast::Expression* parse_binary(unsigned minimum);
     OperatorReading accept_doubtful_operator(unsigned minimum);
     [[nodiscard]] bool at_operator() const noexcept;
+    [[nodiscard]] bool may_be_at_operator(unsigned minimum) const noexcept;
     [[nodiscard]] bool at_plain_operand() const noexcept;
     const ast::Expression* parse_plain_operand();
     [[nodiscard]] bool at_plain_variable() const noexcept;
     const ast::Expression* parse_binary_rest(const ast::Expression* left, unsigned minimum);
     const ast::Expression* parse_unary();
+    const ast::Expression* parse_doubtful_unary();
     [[nodiscard]] TokenKind split_operator() const noexcept;
     void accept_split_operator(TokenKind meant);
     const ast::Expression* parse_primary();

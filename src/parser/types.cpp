@@ -233,7 +233,7 @@ bool Parser::is_plain_type() const noexcept {
 // structure_type_name = identifier ;
 // string_type_name = identifier ;
 const ast::TypeSpecification* Parser::parse_type_name() {
-    return at(TokenKind::identifier) ? take_name<ast::DerivedTypeName>(NameUse::type)
+    return at(TokenKind::identifier) ? take_name<ast::DerivedTypeName, NameUse::type>()
                                      : take_word<ast::DerivedTypeName>();
 }
 

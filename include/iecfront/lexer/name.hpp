@@ -66,11 +66,15 @@ namespace detail {
     return word & ~((word & letter_bits) >> 1);
 }
 
-// Takes the next bytes of a name into its hash.
-[[nodiscard]] constexpr std::uint64_t mix_name(std::uint64_t hash, std::uint64_t bytes) noexcept {
-    hash ^= fold_name_bytes(bytes);
+// Takes the next bytes of a name, folded, into its hash.
+[[nodiscard]] constexpr std::uint64_t mix_folded(std::uint64_t hash, std::uint64_t bytes) noexcept {
+    hash ^= bytes;
     hash *= 0x9E3779B97F4A7C15U; // odd, of mixed bits; what it mixes is in the upper half
     return hash ^ hash >> 32;
+}
+// The same of bytes as they stand.
+[[nodiscard]] constexpr std::uint64_t mix_name(std::uint64_t hash, std::uint64_t bytes) noexcept {
+    return mix_folded(hash, fold_name_bytes(bytes));
 }
 
 // `hash_name` of more than eight bytes.
