@@ -86,9 +86,8 @@ bool Parser::brackets_balance() const noexcept {
     return open <= 0;
 }
 
-bool Parser::expect(TokenKind expected) {
-    if (accept(expected))
-        return true;
+/// Where it does not stand at the cursor.
+bool Parser::expect_missing(TokenKind expected) {
     const std::string words(spelling(expected));
     const bool intruder = peek() == expected && !at_end() && !is_keyword(kind()) &&
                           !at(TokenKind::semicolon) && on_same_line(at_, next(at_)) &&

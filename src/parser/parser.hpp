@@ -128,7 +128,8 @@ private:
     }
     /// Takes a delimiter or keyword, or reports it missing behind the token before. One intruder
     /// that stands before it is dropped.
-    bool expect(TokenKind kind);
+    bool expect(TokenKind kind) { return accept(kind) || expect_missing(kind); }
+    bool expect_missing(TokenKind kind);
 
     // ---- cursor.cpp: nodes ----------------------------------------------------------------------
     /// What is made of a name; of a `variable` it is told by the `(` behind it whether it is
@@ -426,11 +427,19 @@ private:
     const ast::ErrorStatement* skip_statement();
     void skip_declaration();
     [[nodiscard]] bool at_semicolon_look_alike() const noexcept;
-    bool accept_semicolon();
+    /// A `;`, or at the end of the line another delimiter in its place.
+    bool accept_semicolon() {
+        return accept(TokenKind::semicolon) || accept_semicolon_look_alike();
+    }
+    bool accept_semicolon_look_alike();
     [[nodiscard]] std::uint32_t end_of_declaration_with_stray_word();
     void skip_stray_word_in_declaration(std::uint32_t end);
     void drop_word_before_declaration(std::string_view what);
-    void expect_semicolon_of_declaration();
+    void expect_semicolon_of_declaration() {
+        if (!accept_semicolon())
+            report_no_semicolon_of_declaration();
+    }
+    void report_no_semicolon_of_declaration();
     void report_missing_semicolon();
     void report_left_out_semicolon();
 
@@ -541,6 +550,20 @@ private:
     };
     const ast::VariableDeclarations* parse_variable_declarations(Place place);
     [[nodiscard]] bool at_plain_declaration() const noexcept;
+    [[nodiscard]] bool at_whole_declaration() const noexcept;
+    /// Such a one, of a variable or of an element of a structure.
+    template<class T>
+    const T* parse_whole_declaration() {
+        auto* node = make<T>();
+        node->names = list_of(take_name<ast::Identifier, NameUse::declaration>());
+        // Where nodes have no room, all tokens behind are gone.
+        accept(TokenKind::colon);
+        node->specification = is_elementary_type_name(kind()) ? take<ast::ElementaryTypeName>()
+                                                              : parse_missing_type();
+        finish(node);
+        accept(TokenKind::semicolon);
+        return node;
+    }
     [[nodiscard]] bool at_named_declaration();
     [[nodiscard]] bool at_end_of_declarations();
     [[nodiscard]] bool at_declarations_without_opener();
@@ -811,7 +834,12 @@ private:
     const ast::ErrorStatement* expect_semicolon_of_statement(const ast::Statement& statement);
     [[nodiscard]] bool at_condition_behind_statement();
     const ast::Statement* parse_simple_statement();
-    void expect_assign();
+    /// `:=`, or what is written instead of it by mistake.
+    void expect_assign() {
+        if (!accept(TokenKind::assign))
+            expect_missing_assign();
+    }
+    void expect_missing_assign();
     [[nodiscard]] static bool is_variable(const ast::Expression& expression) noexcept;
     const ast::Statement* as_word_statement(const ast::Expression& name);
     [[nodiscard]] bool at_compound_assignment() const noexcept;
@@ -839,7 +867,12 @@ private:
     const ast::Statement* make_invocation(const ast::FunctionCall& call);
     [[nodiscard]] bool followed_by_end_if_of(std::uint32_t end,
                                              std::uint32_t opener) const noexcept;
-    void expect_word(TokenKind word);
+    /// A word between the parts of a statement, or another such word in its place.
+    void expect_word(TokenKind word) {
+        if (!accept(word))
+            expect_missing_word(word);
+    }
+    void expect_missing_word(TokenKind word);
     [[nodiscard]] bool is_semicolon_for_to(std::uint32_t index) const noexcept;
     [[nodiscard]] bool at_word_of_other_language(TokenKind word) const noexcept;
     [[nodiscard]] bool at_case_label() const noexcept;

@@ -459,10 +459,7 @@ bool Parser::at_semicolon_look_alike() const noexcept {
     return at(look_alikes);
 }
 
-/// A `;`, or at the end of the line another delimiter in its place.
-bool Parser::accept_semicolon() {
-    if (accept(TokenKind::semicolon))
-        return true;
+bool Parser::accept_semicolon_look_alike() {
     if (!at_semicolon_look_alike() || token().first_on_line() ||
         !tokens_[next(at_)].first_on_line())
         return false;
@@ -523,9 +520,7 @@ void Parser::drop_word_before_declaration(std::string_view what) {
     advance();
 }
 
-void Parser::expect_semicolon_of_declaration() {
-    if (accept_semicolon())
-        return;
+void Parser::report_no_semicolon_of_declaration() {
     if (const std::uint32_t end = end_of_declaration_with_stray_word(); end > at_) {
         skip_stray_word_in_declaration(end);
         return;

@@ -695,11 +695,9 @@ bool Parser::is_variable(const ast::Expression& expression) noexcept {
     }
 }
 
-/// `:=`, or what is written instead of it by mistake.
-void Parser::expect_assign() {
+/// Where it does not stand at the cursor.
+void Parser::expect_missing_assign() {
     const std::uint32_t first = at_;
-    if (accept(TokenKind::assign))
-        return;
     static constexpr TokenSet firsts{TokenKind::equal, TokenKind::equal_equal};
     const bool reversed = at(TokenKind::equal) && peek() == TokenKind::colon && adjoins_next();
     const bool repeated = peek() == TokenKind::equal && on_same_line(at_, next(at_));
@@ -1429,10 +1427,8 @@ bool Parser::accept_misspelt_word(TokenKind word) {
     return true;
 }
 
-/// A word between the parts of a statement, or another such word in its place.
-void Parser::expect_word(TokenKind word) {
-    if (accept(word))
-        return;
+/// Where it does not stand at the cursor.
+void Parser::expect_missing_word(TokenKind word) {
     if ((at(part_words) && !at(word) && peek() != word) || at_word_of_other_language(word)) {
         report_unexpected("`" + std::string(spelling(word)) + "`")
             .replace(token().range(), std::string(spelling(word)));

@@ -753,6 +753,8 @@ void Parser::parse_structure_elements(ast::StructureDeclaration& structure, std:
 //     | initialized_structure | single_byte_string_spec | double_byte_string_spec ) ;
 // structure_element_name = identifier ;
 const ast::Node* Parser::parse_structure_element_declaration() {
+    if (at_whole_declaration())
+        return parse_whole_declaration<ast::StructureElementDeclaration>();
     drop_word_before_declaration("the declaration of a structure element");
     if (!at(TokenKind::identifier) && !at_declaration_start())
         return parse_error_declaration("the declaration of a structure element");

@@ -70,6 +70,12 @@ bool Parser::at_plain_declaration() const noexcept {
            !tokens_[at_ + 1].first_on_line() && is_elementary_type_name(tokens_[at_ + 2].kind());
 }
 
+/// `name : INT;` has all that a declaration needs, and nothing that could not stand there.
+bool Parser::at_whole_declaration() const noexcept {
+    return at_plain_declaration() && !tokens_[at_ + 2].first_on_line() &&
+           tokens_[at_ + 3].kind() == TokenKind::semicolon;
+}
+
 /// `name :` begins one as well, whatever else a statement or an instruction may be, where no block
 /// is open.
 bool Parser::at_named_declaration() {
@@ -199,7 +205,9 @@ const ast::VariableDeclarations* Parser::parse_variable_declarations(Place place
     const bool of_paths =
         node->block == VariableBlock::var_access || node->block == VariableBlock::var_config;
     for (;;) {
-        if (!of_paths && at_named_declaration())
+        if (!of_paths && at_whole_declaration())
+            declarations.add(parse_whole_declaration<ast::VariableDeclaration>());
+        else if (!of_paths && at_named_declaration())
             declarations.add(parse_variable_declaration(*node, place));
         else if (!at_end_of_declarations())
             add_in_loop(declarations, [&] { return parse_declaration(*node, place); });
