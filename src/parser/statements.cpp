@@ -47,7 +47,7 @@ void Parser::parse_statements(ListBuilder<ast::Statement>& statements) {
         const ast::Statement* statement = nullptr;
         if (at_plain_assignment() && balanced())
             statements.add(statement = parse_plain_assignment());
-        else if (at_end_of_statements())
+        else if (at(open_.back().closer) || at_end_of_statements())
             return;
         else
             statement = parse_statement_or_stray_word(statements);
@@ -117,11 +117,13 @@ bool Parser::at_end_of_statements() {
         at_misspelt_else() || at_misspelt_until() || at_while_for_until() ||
         at_condition_without_until())
         return true;
+    if (unclosed(innermost) <= 0)
+        return false;
     // A label inside another statement: that statement is not closed.
     if ((token().first_on_line() || at(TokenKind::integer)) && is_open(TokenKind::kw_end_case) &&
-        at_case_label() && unclosed(innermost) > 0)
+        at_case_label())
         return true;
-    return unclosed(innermost) > 0 && (at_misspelt_closer() || at_outdented_statement());
+    return at_misspelt_closer() || at_outdented_statement();
 }
 
 /// At a statement that by its column stands behind the innermost block.
