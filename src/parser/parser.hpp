@@ -209,20 +209,28 @@ private:
     /// What a `List` is made of: children that lie in the arena.
     template<class T>
     using Children = std::span<const ast::Child<T>>;
-    /// Room for `count` children, at least one. When there is none, it is for some of them: what is
-    /// made is of no use then.
+    /// `nodes`, at least one, as the children of a list. When there is no room, they are some of
+    /// them: what is made is of no use then.
     template<class T>
-    std::span<ast::Child<T>> allocate_children(std::size_t count) {
+    Children<T> make_children(std::span<const ast::Node* const> nodes) {
         constexpr std::size_t size = sizeof(ast::Child<T>);
         constexpr std::size_t alignment = alignof(ast::Child<T>);
-        void* memory = arena_.full() ? nullptr : arena_.try_allocate(count * size, alignment);
+        void* memory =
+            arena_.full() ? nullptr : arena_.try_allocate(nodes.size() * size, alignment);
         if (memory == nullptr) {
-            count = std::min<std::size_t>(count, 16);
-            memory = allocate_from_reserve(count * size, alignment);
+            nodes = nodes.first(std::min<std::size_t>(nodes.size(), 16));
+            memory = allocate_from_reserve(nodes.size() * size, alignment);
         }
-        auto* const first = static_cast<ast::Child<T>*>(memory);
-        std::uninitialized_default_construct_n(first, count);
-        return {first, count};
+        auto* const children = static_cast<ast::Child<T>*>(memory);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            ::new (children + i) ast::Child<T>(static_cast<const T*>(nodes[i]));
+        return {children, nodes.size()};
+    }
+    /// A list of one.
+    template<class T>
+    Children<T> list_of(const T* node) {
+        const ast::Node* const one = node;
+        return make_children<T>(std::span(&one, 1));
     }
 
     /// Collects children on a common stack, so that only finished lists take memory.
@@ -230,24 +238,22 @@ private:
     class ListBuilder {
     public:
         explicit ListBuilder(Parser& parser) noexcept
-            : parser_(parser), begin_(parser.pending_.size()) {}
+            : parser_(parser), begin_(parser.pending_count_) {}
         ListBuilder(const ListBuilder&) = delete;
         ListBuilder& operator=(const ListBuilder&) = delete;
-        ~ListBuilder() {
-            const auto begin = static_cast<std::ptrdiff_t>(begin_);
-            parser_.pending_.erase(parser_.pending_.begin() + begin, parser_.pending_.end());
-        }
+        ~ListBuilder() { parser_.pending_count_ = begin_; }
 
-        void add(const T* node) { parser_.pending_.push_back(node); }
-        [[nodiscard]] bool empty() const noexcept { return parser_.pending_.size() == begin_; }
-        [[nodiscard]] std::size_t size() const noexcept { return parser_.pending_.size() - begin_; }
+        void add(const T* node) {
+            if (parser_.pending_count_ == parser_.pending_.size())
+                parser_.pending_.resize(2 * parser_.pending_count_ + 64);
+            parser_.pending_[parser_.pending_count_++] = node;
+        }
+        [[nodiscard]] bool empty() const noexcept { return size() == 0; }
+        [[nodiscard]] std::size_t size() const noexcept { return parser_.pending_count_ - begin_; }
         [[nodiscard]] Children<T> finish() {
             if (empty())
                 return {};
-            const std::span<ast::Child<T>> children = parser_.allocate_children<T>(size());
-            for (std::size_t i = 0; i < children.size(); ++i)
-                children[i] = static_cast<const T*>(parser_.pending_[begin_ + i]);
-            return children;
+            return parser_.make_children<T>({parser_.pending_.data() + begin_, size()});
         }
 
     private:
@@ -264,14 +270,6 @@ private:
         list.add(parse());
         if (at_ == begin && !at(TokenKind::semicolon))
             advance();
-    }
-
-    /// A list of one.
-    template<class T>
-    Children<T> list_of(const T* node) {
-        const std::span<ast::Child<T>> children = allocate_children<T>(1);
-        children[0] = node;
-        return children;
     }
 
     /// Counts nesting; it is `too_deep()` beyond the limit, which is then reported once.
@@ -1081,7 +1079,8 @@ private:
 
     ParserArena& arena_;
     const ParseOptions& options_;
-    std::vector<const ast::Node*> pending_;
+    std::vector<const ast::Node*> pending_; // of unfinished lists, the first `pending_count_`
+    std::size_t pending_count_ = 0;
     std::vector<Diagnostic> diagnostics_;
     const std::vector<Diagnostic>* expected_ = nullptr; // see expect_reports()
     std::optional<std::uint32_t> stopped_at_;

@@ -1,3 +1,5 @@
+#include "source/byte_mask.hpp"
+
 #include <iecfront/source/line_table.hpp>
 
 #include <algorithm>
@@ -79,14 +81,12 @@ constexpr std::uint64_t high_bits = 0x8080808080808080U;
 
 } // namespace
 
-// Most texts have LF only, which the standard library finds fastest.
+// Most texts have LF only.
 LineTable::LineTable(std::string_view text) {
     constexpr std::size_t usual_line = 32; // bytes; published programs have some more
     starts_.reserve(text.size() / usual_line + 1);
     if (text.find('\r') == std::string_view::npos) {
-        for (std::size_t at = text.find('\n'); at != std::string_view::npos;
-             at = text.find('\n', at + 1))
-            starts_.push_back(static_cast<std::uint32_t>(at + 1));
+        add_line_feeds(text);
         return;
     }
     for (std::size_t at = find_line_end(text, 0); at < text.size(); at = find_line_end(text, at)) {
@@ -94,6 +94,17 @@ LineTable::LineTable(std::string_view text) {
         at += two_bytes ? 2 : 1;
         starts_.push_back(static_cast<std::uint32_t>(at));
     }
+}
+
+void LineTable::add_line_feeds(std::string_view text) {
+    std::size_t at = 0;
+    for (; text.size() - at >= mask_size; at += mask_size)
+        for (std::uint32_t mask = mask_of(text.data() + at, '\n'); mask != 0; mask &= mask - 1)
+            starts_.push_back(static_cast<std::uint32_t>(at) +
+                              static_cast<std::uint32_t>(std::countr_zero(mask)) + 1);
+    for (; at < text.size(); ++at)
+        if (text[at] == '\n')
+            starts_.push_back(static_cast<std::uint32_t>(at + 1));
 }
 
 LineTable::LineTable(std::string_view text, Encoding encoding) : LineTable(text) {

@@ -64,8 +64,7 @@ std::vector<UnitText> units_of(const SourceText& source, const ParseOptions& opt
 }
 
 // What the parser takes of `room` bytes beside the reserve; nothing when they do not suffice.
-std::optional<std::size_t> used_of(UnitText unit, std::size_t room,
-                                   const ParseOptions& options) {
+std::optional<std::size_t> used_of(UnitText unit, std::size_t room, const ParseOptions& options) {
     ParserArena arena(ParserArena::reserve_of_unit + room);
     Parser parser(unit.text, unit.tokens, {}, unit.opener, arena, options);
     (void)parser.parse_fragment(options.read_as);

@@ -13,6 +13,7 @@ template<class T>
 class RelativePointer {
 public:
     RelativePointer() = default;
+    explicit RelativePointer(const T* target) noexcept { *this = target; }
     RelativePointer(const RelativePointer&) = delete;
     RelativePointer& operator=(const RelativePointer&) = delete;
 

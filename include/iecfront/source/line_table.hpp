@@ -59,6 +59,8 @@ public:
     [[nodiscard]] KnownColumn known_column(std::uint32_t offset) const noexcept;
 
 private:
+    void add_line_feeds(std::string_view text);
+
     std::vector<std::uint32_t> starts_;      // of every line but the first
     std::vector<KnownColumn> known_columns_; // by offset, in long lines only
 };

@@ -1,0 +1,27 @@
+#include "source/byte_mask.hpp"
+
+#include <gtest/gtest.h>
+#include <string>
+
+using namespace iecfront;
+
+namespace {
+
+TEST(ByteMask, NamesTheBytesThatAreSought) {
+    EXPECT_EQ(mask_of("\nabc\ndefghijklm\n", '\n'), 0x8011U);
+    EXPECT_EQ(mask_of("0123456789abcdef", '\n'), 0U);
+}
+
+// Bytes whose bits are near those of the sought one, at each place.
+TEST(ByteMask, IsThatOfEachByteAlone) {
+    for (int sought = -128; sought < 128; ++sought)
+        for (std::size_t place = 0; place < mask_size; ++place)
+            for (const int near : {0, 1, -1, 128, 16}) {
+                std::string bytes(mask_size, static_cast<char>(sought + near));
+                bytes[place] = static_cast<char>(sought);
+                ASSERT_EQ(mask_of(bytes.data(), static_cast<char>(sought)),
+                          mask_of_one_by_one(bytes.data(), static_cast<char>(sought)));
+            }
+}
+
+} // namespace
