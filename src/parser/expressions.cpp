@@ -541,8 +541,7 @@ const ast::Expression* Parser::parse_cast() {
     auto* cast = make<ast::ErrorExpression>();
     const std::uint32_t type = next(at_);
     report_conversion(at_, next(type) + 1, tokens_[type].kind());
-    while (at_ <= next(type))
-        advance();
+    advance_past(next(type));
     parse_unary();
     return finish(cast);
 }

@@ -91,8 +91,7 @@ void Parser::skip_foreign_member() {
         while (!token().first_on_line() && !at_end());
         return;
     }
-    while (at_ <= end)
-        advance();
+    advance_past(end);
     accept(TokenKind::semicolon);
 }
 

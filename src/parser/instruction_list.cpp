@@ -544,8 +544,7 @@ void Parser::report_operand_of(const IlOperatorRow& row) {
     const std::uint32_t closing = at(TokenKind::left_parenthesis) ? closing_parenthesis(at_) : at_;
     const bool closes = tokens_[closing].kind() == TokenKind::right_parenthesis;
     if (closes && at_formal_argument(next(first))) { // no instructions, which could stay
-        while (at_ <= closing)
-            advance();
+        advance_past(closing);
         operand.remove(token_range(first, end_));
         return;
     }

@@ -120,6 +120,11 @@ private:
         at_ = index;
         kind_ = tokens_[index].kind();
     }
+    /// Takes all tokens up to `index`, and that one.
+    void advance_past(std::uint32_t index) noexcept {
+        while (at_ <= index && !at_end())
+            advance();
+    }
     bool accept(TokenKind kind) noexcept {
         if (!at(kind))
             return false;

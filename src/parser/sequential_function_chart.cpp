@@ -206,8 +206,7 @@ bool Parser::skip_chart_element() {
     const std::uint32_t closer = begins_chart_element(at_) ? chart_element_end(at_) : at_;
     if (closer == at_)
         return false;
-    while (at_ <= closer && !at_end())
-        advance();
+    advance_past(closer);
     return true;
 }
 
@@ -254,8 +253,7 @@ void Parser::expect_colon_of_chart() {
         const bool colon = tokens_[behind].kind() == TokenKind::colon && !line_ends;
         if (colon || line_ends) {
             report_unexpected("`:`").replace(token_range(at_, close + 1), colon ? "" : ":");
-            while (at_ <= close)
-                advance();
+            advance_past(close);
             if (line_ends)
                 return;
         }

@@ -1452,8 +1452,7 @@ void Parser::expect_missing_word(TokenKind word) {
         return;
     }
     report_unexpected("an operator or `" + std::string(spelling(word)) + "`");
-    while (at_ <= found)
-        advance();
+    advance_past(found);
 }
 
 /// `FOR i := 1; 3 DO`

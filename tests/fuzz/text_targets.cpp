@@ -4,6 +4,7 @@
 #include "lexer/lexer.hpp"
 #include "support/lexed_faults.hpp"
 #include "support/literal_invariants.hpp"
+#include "support/room_faults.hpp"
 #include "support/tree_faults.hpp"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::array encodings{Encoding::utf8, Encoding::windows_1252, Encoding::iso_8859_1};
 constexpr int edits_in_chain = 4;
+constexpr std::size_t sizes_of_room = 4;
 constexpr std::uint32_t small_source = 300; // bytes, where a text beyond it is not read
 
 [[nodiscard]] ParseOptions chosen_options(NumbersFromEnd& numbers) {
@@ -61,7 +63,9 @@ std::string parse_fault(std::string_view bytes) {
         return fault;
     NumbersFromEnd numbers(bytes);
     const ParseOptions options = chosen_options(numbers);
-    return fault_of(SourceText(text, {}, encodings[numbers.below(3)]), options);
+    const SourceText source(text, {}, encodings[numbers.below(3)]);
+    fault = fault_of(source, options);
+    return fault.empty() ? room_fault(source, options, sizes_of_room) : fault;
 }
 
 std::string edits_fault(std::string_view bytes) {

@@ -1,18 +1,14 @@
-#include "parser/parser.hpp"
 #include "parser/parser_arena.hpp"
-#include "parser/unit_parser.hpp"
 #include "support/case_file.hpp"
 #include "support/case_outcome.hpp"
+#include "support/room_faults.hpp"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
-#include <vector>
+#include <string_view>
 
 using namespace iecfront;
-using iecfront::test::all_case_files;
-using iecfront::test::Case;
-using iecfront::test::CaseFile;
+using namespace iecfront::test;
 
 namespace {
 
@@ -41,51 +37,39 @@ TEST(ParserArena, GivesTheReserveWhenItIsOpened) {
     EXPECT_EQ(arena.try_allocate(10'000, 1), nullptr);
 }
 
-// A unit with all that the parser wants of it.
-struct UnitText {
-    std::string_view text;
-    std::vector<Token> tokens;
-    std::uint32_t opener;
-};
-
-std::vector<UnitText> units_of(const SourceText& source, const ParseOptions& options) {
-    std::vector<UnitText> units;
-    UnitReader reader(source.buffer(), source.encoding(), true, options);
-    while (reader.next()) {
-        UnitText unit{source.bytes().substr(reader.begin(), reader.end() - reader.begin()),
-                      {},
-                      reader.opener()};
-        for (const Token token : reader.tokens())
-            unit.tokens.push_back(token.moved_back(reader.begin()));
-        unit.tokens.emplace_back(TokenKind::end_of_unit, reader.end() - reader.begin(), 0, true);
-        units.push_back(std::move(unit));
-    }
-    return units;
-}
-
-// What the parser takes of `room` bytes beside the reserve; nothing when they do not suffice.
-std::optional<std::size_t> used_of(UnitText unit, std::size_t room, const ParseOptions& options) {
-    ParserArena arena(ParserArena::reserve_of_unit + room);
-    Parser parser(unit.text, unit.tokens, {}, unit.opener, arena, options);
-    (void)parser.parse_fragment(options.read_as);
-    return arena.full() ? std::nullopt : std::optional(arena.used());
-}
-
 // Whatever the parser is about when there is no more room, it finds its way out.
 TEST(ParserArena, CanBeFullAtAnyNode) {
     for (const CaseFile& file : all_case_files())
-        for (const Case& one : file.cases) {
-            const SourceText source = test::source_text_of(one);
-            const ParseOptions options = test::options_of(one);
-            for (const UnitText& unit : units_of(source, options)) {
-                const auto needed = used_of(unit, 10'000'000, options);
-                ASSERT_TRUE(needed.has_value()) << file.path << ": " << one.title;
-                const std::size_t step = std::max<std::size_t>(4, *needed / 64 / 4 * 4);
-                for (std::size_t room = 0; room < *needed; room += step)
-                    ASSERT_FALSE(used_of(unit, room, options).has_value())
-                        << file.path << ": " << one.title << ", " << room;
-            }
-        }
+        for (const Case& one : file.cases)
+            ASSERT_EQ(room_fault(source_text_of(one), options_of(one), 64), "")
+                << file.path << ": " << one.title;
+}
+
+std::string repeated(std::string_view piece, std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i)
+        text += piece;
+    return text;
+}
+
+// All that is open is left again, which takes nodes of its own.
+TEST(ParserArena, CanBeFullWhereMuchIsOpen) {
+    constexpr std::size_t depth = 250;
+    for (const std::string_view open :
+         {"(", "x[", "f(a := ", "NOT ", "a + (", "IF a THEN ", "CASE a OF 1: ", "REPEAT ",
+          "FOR i := 1 TO 2 DO ", "WHILE a DO ", "IF a THEN ELSIF b THEN "}) {
+        const bool statement = open.ends_with("THEN ") || open.ends_with("DO ") ||
+                               open.ends_with("REPEAT ") || open.ends_with(": ");
+        const std::string text = "PROGRAM p " + std::string(statement ? "" : "a := ") +
+                                 repeated(open, depth) + " END_PROGRAM";
+        EXPECT_EQ(room_fault(SourceText(text), {}, 200), "") << open;
+    }
+    const std::string types = "TYPE T : " + repeated("STRUCT a : ", depth) + "INT; END_TYPE";
+    EXPECT_EQ(room_fault(SourceText(types), {}, 200), "");
+    const std::string values = "TYPE T : A := " + repeated("[2(", depth) + "1; END_TYPE";
+    EXPECT_EQ(room_fault(SourceText(values), {}, 200), "");
+    const std::string instructions = "PROGRAM p\nLD a\n" + repeated("ADD(\nLD a\n", depth);
+    EXPECT_EQ(room_fault(SourceText(instructions), {}, 200), "");
 }
 
 } // namespace
