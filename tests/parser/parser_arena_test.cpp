@@ -12,29 +12,31 @@ using namespace iecfront::test;
 
 namespace {
 
+constexpr std::size_t room = 100'000; // beside the reserve
+
 TEST(ParserArena, HoldsBackMoreForEachLevel) {
-    ParserArena arena(100'000);
-    EXPECT_EQ(arena.try_allocate(90'000, 1), nullptr);
-    EXPECT_NE(arena.try_allocate(80'000, 1), nullptr);
+    ParserArena arena(ParserArena::reserve_of_unit + room);
+    EXPECT_EQ(arena.try_allocate(room + 1, 1), nullptr);
     arena.enter_level();
-    EXPECT_EQ(arena.try_allocate(1, 1), nullptr);
+    EXPECT_EQ(arena.try_allocate(room - ParserArena::reserve_of_level + 1, 1), nullptr);
+    EXPECT_NE(arena.try_allocate(room - ParserArena::reserve_of_level, 1), nullptr);
     arena.leave_level();
-    EXPECT_NE(arena.try_allocate(1, 1), nullptr);
+    EXPECT_NE(arena.try_allocate(ParserArena::reserve_of_level, 1), nullptr);
     EXPECT_FALSE(arena.full());
 }
 
 TEST(ParserArena, GivesTheReserveWhenItIsOpened) {
-    ParserArena arena(20'000);
+    ParserArena arena(ParserArena::reserve_of_unit + room);
     arena.enter_level();
-    EXPECT_EQ(arena.try_allocate(10'000, 1), nullptr);
+    EXPECT_EQ(arena.try_allocate(room, 1), nullptr);
     arena.open_reserve();
     EXPECT_TRUE(arena.full());
-    EXPECT_NE(arena.try_allocate(10'000, 1), nullptr);
+    EXPECT_NE(arena.try_allocate(room + ParserArena::reserve_of_unit, 1), nullptr);
     arena.leave_level();
     arena.clear();
     EXPECT_FALSE(arena.full());
     EXPECT_EQ(arena.used(), 0U);
-    EXPECT_EQ(arena.try_allocate(10'000, 1), nullptr);
+    EXPECT_EQ(arena.try_allocate(room + 1, 1), nullptr);
 }
 
 // Whatever the parser is about when there is no more room, it finds its way out.
