@@ -65,6 +65,12 @@ void append_lines(std::string& out, const Piece& piece, std::uint32_t column,
            diagnostic_info(diagnostic.id).category == DiagnosticClass::implementation_dependent;
 }
 
+// Nothing of the unit was read.
+[[nodiscard]] bool is_refusal(const Diagnostic& diagnostic) {
+    return diagnostic.id == DiagnosticId::source_too_large ||
+           diagnostic.id == DiagnosticId::unit_too_large;
+}
+
 // The same tokens, no more findings, and the same nodes when there are no lines to keep.
 [[nodiscard]] bool reads_as(const Unit& unit, const SyntaxTree& tree) {
     if (tree.slots().size() != 1)
@@ -84,6 +90,11 @@ UnitWriter::UnitWriter(const SyntaxTree& tree, const FormatOptions& options)
 
 bool UnitWriter::append(const Unit& unit, TextRule* rule) {
     const std::size_t begin = out_.size();
+    if (std::ranges::any_of(unit.diagnostics(), is_refusal)) {
+        out_ += unit.text();
+        complete_ = true;
+        return false;
+    }
     lay_out(out_, unit, rule);
     complete_ = out_.size() <= begin + leading_mark_size(unit);
     if (std::ranges::all_of(unit.diagnostics(), is_harmless))

@@ -4,7 +4,6 @@
 #include <iecfront/lexer/standard_names.hpp>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>

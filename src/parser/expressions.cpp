@@ -179,8 +179,8 @@ const ast::Expression* Parser::parse_binary(unsigned minimum) {
     return may_be_at_operator(minimum) ? parse_binary_rest(left, minimum) : left;
 }
 
-/// False where `parse_binary_rest` would consume nothing, mostly. What is an operator by itself may
-/// be a part of one that binds tighter.
+/// When false, `parse_binary_rest` would consume nothing; when true, it may: what is an operator by
+/// itself may be a part of one that binds tighter.
 bool Parser::may_be_at_operator(unsigned minimum) const noexcept {
     const unsigned strength = plain_operators[static_cast<std::size_t>(kind())].strength;
     return strength >= minimum ||
@@ -1017,7 +1017,8 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
     return finish(input);
 }
 
-/// `name = > variable`, and where other arguments are formal also `name >= variable`.
+/// At a name with delimiters behind it that can stand for a mark: `name = > variable`, and where
+/// other arguments are formal also `name >= variable`.
 bool Parser::at_output_slip(std::uint32_t open) const noexcept {
     const MarkSlip slip = mark_slip(next(at_));
     return slip.meant == TokenKind::output_arrow &&

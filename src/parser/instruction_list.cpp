@@ -340,6 +340,8 @@ bool Parser::begins_outer_instruction(bool begun) const noexcept {
 /// The operator at token `index`, or null. `&N` is two tokens.
 const IlOperatorRow* Parser::il_operator(std::uint32_t index) const noexcept {
     constexpr std::uint32_t longest = 5;
+    static_assert(std::ranges::all_of(
+        il_operators, [](const IlOperatorRow& row) { return row.spelling.size() <= longest; }));
     const Token& token = tokens_[index];
     if (token.length() > longest || !operator_tokens.contains(token.kind()))
         return nullptr;

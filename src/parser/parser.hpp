@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <memory>
 #include <new>
 #include <optional>
 #include <span>
@@ -155,13 +154,13 @@ private:
         node->end_token = at_;
         return node;
     }
-    /// A node of the current token alone, which is not the end, and is taken.
+    /// A node of the current token alone, which is taken.
     template<class T>
     T* take() {
         T* node = create<T>();
         node->first_token = at_;
-        node->end_token = at_ + 1;
         advance();
+        node->end_token = end_;
         return node;
     }
     /// The same of a word that is not looked at any further.
@@ -413,7 +412,6 @@ private:
         return balanced_;
     }
     void find_balances() noexcept;
-    void count_balances() noexcept;
     /// When what stands in the unit turns out to mean something else.
     void change_unclosed(TokenKind closer, std::int32_t by) noexcept;
     void count_as_name(TokenKind word);

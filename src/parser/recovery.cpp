@@ -89,23 +89,8 @@ bool Parser::is_open(TokenKind closer) const noexcept {
                        [closer](const OpenBlock& block) { return block.closer == closer; });
 }
 
-void Parser::find_balances() noexcept {
-    count_balances();
-    std::uint32_t any = 0;
-    for (const std::int32_t one : unclosed_)
-        any |= static_cast<std::uint32_t>(one);
-    balanced_ = any == 0;
-}
-
-void Parser::change_unclosed(TokenKind closer, std::int32_t by) noexcept {
-    if (!balances_known_)
-        find_balances();
-    unclosed_[static_cast<std::size_t>(closer)] += by;
-    balanced_ = false; // until the end, for so much is wrong in few units
-}
-
 /// All balances are counted in one pass, when the first one is asked for.
-void Parser::count_balances() noexcept {
+void Parser::find_balances() noexcept {
     balances_known_ = true;
     std::array<std::int32_t, token_kind_count> tokens{};
     for (std::uint32_t i = 0; i < count_; ++i)
@@ -115,6 +100,16 @@ void Parser::count_balances() noexcept {
             tokens[static_cast<std::size_t>(words.opener)];
     for (std::size_t i = 0; i < unclosed_.size(); ++i)
         unclosed_[i] -= closers.contains(static_cast<TokenKind>(i)) ? tokens[i] : 0;
+    balanced_ = std::ranges::all_of(unclosed_, [](std::int32_t one) { return one == 0; });
+}
+
+void Parser::change_unclosed(TokenKind closer, std::int32_t by) noexcept {
+    if (by == 0)
+        return;
+    if (!balances_known_)
+        find_balances();
+    unclosed_[static_cast<std::size_t>(closer)] += by;
+    balanced_ = false; // until the end, for so much is wrong in few units
 }
 
 TokenKind Parser::closer_of(TokenKind opener) noexcept {

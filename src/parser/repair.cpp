@@ -220,7 +220,7 @@ private:
 
     /// Keeps the change that leaves the fewest reports.
     void attempt(const Change& change) {
-        if (fewest_ == 0 || to_read_ == 0 || !is_possible(change))
+        if (fewest_ == 0 || to_read_ == 0 || arena_.full() || !is_possible(change))
             return;
         const std::size_t used = arena_.used();
         const std::optional<Reading> reading = read_with(change);

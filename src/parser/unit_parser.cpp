@@ -51,6 +51,8 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
     Parser parser(input.text, input.tokens, input.lexical, input.opener, arena, input.options);
     Reading reading{parser.parse_fragment(input.options.read_as), {}};
     reading.reports = parser.take_diagnostics();
+    if (arena.full())
+        return reading;
     if (std::optional<Reading> repaired = repair(input, reading.reports, arena, kept))
         reading = std::move(*repaired);
     return reading;
@@ -200,28 +202,41 @@ std::shared_ptr<const Unit> UnitReader::parse(std::shared_ptr<const std::string>
     return std::make_shared<const Unit>(std::move(parts));
 }
 
-/// False when it takes more memory than is allowed.
+/// False when it takes more memory than is allowed: this depends on the unit alone, and not on how
+/// much room there is at first.
 bool UnitReader::parse_into(Unit::Parts& parts) {
     const std::size_t maximum = options_.maximum_unit_memory;
     if (tokens().size_bytes() + sizeof(Token) + trivia().size_bytes() > maximum)
         return false;
-    const std::size_t most = maximum + ParserArena::reserve_of_unit +
-                             options_.maximum_nesting * ParserArena::reserve_of_level;
     make_room();
     while (!parse_in_room(parts)) {
-        if (room_.capacity() >= most)
+        const std::size_t capacity = room_.capacity();
+        if (capacity >= most_room())
             return false;
-        room_ = ParserArena(std::min(2 * room_.capacity(), most));
+        room_ = ParserArena(); // first, so that both are not there at once
+        room_ = ParserArena(std::min(2 * capacity, most_room()));
     }
     return room_.used() <= maximum;
+}
+
+/// For a unit as large as is allowed, read once and once more with a token repaired, and as deep.
+std::size_t UnitReader::most_room() const noexcept {
+    // A relative pointer reaches as far.
+    constexpr std::uint64_t addressable =
+        std::min<std::uint64_t>(std::numeric_limits<std::size_t>::max() / 4, (1ULL << 33U) - 8);
+    const std::uint64_t levels = std::uint64_t{options_.maximum_nesting} + 1;
+    return static_cast<std::size_t>(std::min(2 * std::uint64_t{options_.maximum_unit_memory} +
+                                                 ParserArena::reserve_of_unit +
+                                                 levels * ParserArena::reserve_of_level,
+                                             addressable));
 }
 
 /// For what most units of so many tokens need.
 void UnitReader::make_room() {
     const std::size_t usual = (tokens().size() + 1) * bytes_per_token + trivia().size_bytes() +
                               ParserArena::usual_reserve;
-    if (room_.capacity() < usual)
-        room_ = ParserArena(usual);
+    if (room_.capacity() < std::min(usual, most_room()))
+        room_ = ParserArena(std::min(usual, most_room()));
 }
 
 /// False when there is not enough of it.

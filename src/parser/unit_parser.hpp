@@ -70,6 +70,7 @@ private:
                                                     std::string_view text);
     [[nodiscard]] bool parse_into(Unit::Parts& parts);
     void make_room();
+    [[nodiscard]] std::size_t most_room() const noexcept;
     [[nodiscard]] bool parse_in_room(Unit::Parts& parts);
     [[nodiscard]] std::span<Token> copy_tokens();
     [[nodiscard]] std::span<const Trivia> copy_trivia();

@@ -36,6 +36,16 @@ TEST(Formatter, IndentsAsItIsTold) {
     EXPECT_EQ(formatted("TYPE\n\t\ta : INT;\nEND_TYPE", options), "TYPE\na : INT;\nEND_TYPE\n");
 }
 
+TEST(Formatter, LeavesWhatWasNotReadAsItIs) {
+    const std::string text = "type\n\t\ta : int;  end_type\n";
+    ParseOptions parsing;
+    parsing.maximum_unit_memory = 100;
+    EXPECT_EQ(formatted(text, {}, parsing), text);
+    parsing = {};
+    parsing.maximum_source_size = 10;
+    EXPECT_EQ(formatted(text, {}, parsing), text);
+}
+
 TEST(Formatter, BreaksLinesAsItIsTold) {
     FormatOptions options;
     options.line_length = 20;

@@ -18,6 +18,7 @@ namespace {
 constexpr std::array encodings{Encoding::utf8, Encoding::windows_1252, Encoding::iso_8859_1};
 constexpr int edits_in_chain = 4;
 constexpr std::size_t sizes_of_room = 4;
+constexpr std::uint32_t small_tree = 3000;  // bytes, where a unit beyond it is not read
 constexpr std::uint32_t small_source = 300; // bytes, where a text beyond it is not read
 
 [[nodiscard]] ParseOptions chosen_options(NumbersFromEnd& numbers) {
@@ -26,6 +27,8 @@ constexpr std::uint32_t small_source = 300; // bytes, where a text beyond it is 
     options.maximum_nesting = static_cast<std::uint32_t>(numbers.below(40));
     options.maximum_identifier_length = static_cast<std::uint32_t>(numbers.below(40));
     options.maximum_diagnostics = static_cast<std::uint32_t>(numbers.below(10));
+    if (numbers.below(4) == 0)
+        options.maximum_unit_memory = static_cast<std::uint32_t>(numbers.below(small_tree));
     return options;
 }
 

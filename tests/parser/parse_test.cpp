@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
+#include <vector>
 
 namespace iecfront {
 namespace {
@@ -138,6 +139,22 @@ TEST(Parse, SurvivesEveryKindOfDeepNesting) {
 }
 
 // 2.2.2: the same two characters in three encodings, and as codes.
+// The second reading of a unit has as much room as the first one.
+TEST(Parse, FindsTheMisplacedTokenOfALongUnit) {
+    const auto findings_with = [](std::size_t statements) {
+        std::string text = "FUNCTION F : INT\nVAR_INPUT\na : INT;\nEND_VAR\nEND_STRUCT VAR\n"
+                           "b : INT;\nEND_VAR\n";
+        for (std::size_t i = 0; i < statements; ++i)
+            text += "F := -a;\n";
+        return parse(SourceText(text + "END_FUNCTION\n")).diagnostics();
+    };
+    const std::vector<Diagnostic> found = findings_with(3);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].id, DiagnosticId::unexpected_token);
+    for (const std::size_t statements : {1000, 2000, 5000, 20'000})
+        EXPECT_EQ(findings_with(statements), found) << statements;
+}
+
 TEST(Parse, ReadsStringsInEachEncoding) {
     EXPECT_TRUE(parse(SourceText(program("x := '\xC3\x84\xC3\x8B';"))).diagnostics().empty());
     for (const Encoding encoding : {Encoding::iso_8859_1, Encoding::windows_1252})

@@ -40,7 +40,7 @@ TEST(ParserArena, GivesTheReserveWhenItIsOpened) {
 }
 
 // Whatever the parser is about when there is no more room, it finds its way out.
-TEST(ParserArena, CanBeFullAtAnyNode) {
+TEST(ParserArena, CanBeFullWhereverItIs) {
     for (const CaseFile& file : all_case_files())
         for (const Case& one : file.cases)
             ASSERT_EQ(room_fault(source_text_of(one), options_of(one), 64), "")

@@ -65,7 +65,7 @@ public:
 
     /// A block that is just large enough for what was given out, with a copy of it.
     [[nodiscard]] Arena trimmed() const;
-    /// What lies in this arena, of which `other` is a copy, where `place` lies in that.
+    /// What lies in this arena, a copy of `other`, where `place` lies in that.
     template<class T>
     [[nodiscard]] const T* counterpart(const T* place, const Arena& other) const noexcept {
         return reinterpret_cast<const T*>(

@@ -3,6 +3,7 @@
 #include <iecfront/ast/relative_pointer.hpp>
 #include <iecfront/export.hpp>
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -116,7 +117,8 @@ using Child = RelativePointer<T>;
 template<class T>
 class List {
 public:
-    /// Goes through pointers to children, for `for (const T* child : list)`.
+    /// Goes through pointers to children, for `for (const T* child : list)`. The algorithms of
+    /// `std::ranges` see random access, those before them input only.
     class iterator {
     public:
         using value_type = const T*;

@@ -46,8 +46,8 @@ struct ParseOptions {
     std::uint32_t maximum_source_size = 1U << 28U;
 
     /// How many bytes the tokens, comments and nodes of a unit can take. A larger unit is kept but
-    /// not examined, and reported (`unit-too-large`; Annex D, 2.5.1). Bounds the memory that
-    /// parsing needs whatever stands in the text.
+    /// not examined, and reported (`unit-too-large`; Annex D, 2.5.1). Bounds what the tree of
+    /// a unit takes, whatever stands in the text.
     std::uint32_t maximum_unit_memory = 1U << 31U;
 
     friend bool operator==(const ParseOptions&, const ParseOptions&) = default;

@@ -4,6 +4,7 @@
 #include <iecfront/export.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace iecfront::ast {

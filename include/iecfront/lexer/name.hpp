@@ -55,10 +55,6 @@ namespace detail {
     return word - (((from_a & ~beyond_z & ~word) & high_bits) >> 2);
 }
 
-} // namespace detail
-
-namespace detail {
-
 // `fold_bytes` for what a name is made of: a letter is the only byte of it, but for `_`, that has
 // this bit, and in `_` the one that tells small letters from capitals is not set.
 [[nodiscard]] constexpr std::uint64_t fold_name_bytes(std::uint64_t word) noexcept {
