@@ -151,7 +151,7 @@ TEST(Parse, FindsTheMisplacedTokenOfALongUnit) {
     const std::vector<Diagnostic> found = findings_with(3);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].id, DiagnosticId::unexpected_token);
-    for (const std::size_t statements : {1000, 2000, 5000, 20'000})
+    for (const std::size_t statements : {1000U, 2000U, 5000U, 20'000U})
         EXPECT_EQ(findings_with(statements), found) << statements;
 }
 
