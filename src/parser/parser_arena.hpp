@@ -41,10 +41,10 @@ public:
         set_limit();
     }
 
-    static constexpr std::size_t reserve_of_unit = 8'192;
-    static constexpr std::size_t reserve_of_level = 2'048;
+    static constexpr std::size_t reserve_of_unit = 4'096;
+    static constexpr std::size_t reserve_of_level = 512;
     /// With that of as many levels as most units have.
-    static constexpr std::size_t usual_reserve = reserve_of_unit + 28 * reserve_of_level;
+    static constexpr std::size_t usual_reserve = reserve_of_unit + 24 * reserve_of_level;
 
 private:
     void hold_back(std::size_t size) noexcept {
