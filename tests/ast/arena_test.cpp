@@ -94,8 +94,6 @@ TEST(Arena, MovingTakesTheMemoryAlong) {
     EXPECT_EQ(second.capacity(), 0U);
 }
 
-using ArenaDeathTest = testing::Test;
-
 TEST(ArenaDeathTest, EndsTheProgramWhereThereMustBeRoom) {
     Arena arena(3);
     EXPECT_DEATH((void)arena.create<int>(), "");

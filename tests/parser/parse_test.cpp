@@ -155,6 +155,36 @@ TEST(Parse, FindsTheMisplacedTokenOfALongUnit) {
         EXPECT_EQ(findings_with(statements), found) << statements;
 }
 
+// The least `maximum_unit_memory` with which the last unit of a text is read.
+std::uint32_t least_memory(const SourceText& source) {
+    std::uint32_t refused = 0;
+    std::uint32_t enough = 10'000'000;
+    while (enough - refused > 1) {
+        ParseOptions options;
+        options.maximum_unit_memory = refused + (enough - refused) / 2;
+        const SyntaxTree tree = parse(source, options);
+        const bool read = !tree.slots().back().unit->tokens().empty();
+        (read ? enough : refused) = options.maximum_unit_memory;
+    }
+    return enough;
+}
+
+// A unit depends on nothing but its own text and the options: not on the room that was made for one
+// before it, nor on what it took to find the misplaced token.
+TEST(Parse, RefusesAUnitForItsOwnSizeOnly) {
+    std::string statements;
+    for (int i = 0; i < 12'000; ++i)
+        statements += "F := -a;\n";
+    const std::string head = "FUNCTION F : INT\nVAR_INPUT\na : INT;\nEND_VAR\n";
+    const std::string end = "END_FUNCTION\n";
+    const std::string large = head + statements + statements + statements + end;
+    const std::string unit = head + "END_STRUCT VAR\nb : INT;\nEND_VAR\n" + statements + end;
+    const std::uint32_t alone = least_memory(SourceText(unit));
+    EXPECT_EQ(least_memory(SourceText(large + unit)), alone);
+    const std::string correct = head + "VAR\nb : INT;\nEND_VAR\n" + statements + end;
+    EXPECT_EQ(alone, least_memory(SourceText(correct)) + sizeof(Token));
+}
+
 TEST(Parse, ReadsStringsInEachEncoding) {
     EXPECT_TRUE(parse(SourceText(program("x := '\xC3\x84\xC3\x8B';"))).diagnostics().empty());
     for (const Encoding encoding : {Encoding::iso_8859_1, Encoding::windows_1252})
