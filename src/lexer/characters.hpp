@@ -126,6 +126,12 @@ inline constexpr std::array<TokenKind, 256> singles = single_table();
 [[nodiscard]] constexpr bool is_digit(char c) noexcept {
     return c >= '0' && c <= '9';
 }
+[[nodiscard]] constexpr bool is_line_end(char c) noexcept {
+    return class_of(c) == CharacterClass::line_end;
+}
+[[nodiscard]] constexpr bool is_quote(char c) noexcept {
+    return class_of(c) == CharacterClass::quote;
+}
 // Letter, digit or underscore.
 [[nodiscard]] constexpr bool is_word_part(char c) noexcept {
     return (word_bits_of(c) & characters::word_part) != 0;

@@ -1,26 +1,20 @@
 #include "lexer/encoding_check.hpp"
 
-#include <array>
+#include "source/byte_mask.hpp"
+
 #include <cstdint>
-#include <cstring>
 #include <string>
 
 namespace iecfront {
 namespace {
 
-/// How many bytes from `offset` on are ASCII as a block of so many words, which nearly all of a
-/// text is.
-template<std::size_t Words>
-[[nodiscard]] std::size_t ascii_block(std::string_view text, std::size_t offset) noexcept {
-    constexpr std::uint64_t high_bits = 0x8080808080808080U;
-    std::array<std::uint64_t, Words> words;
-    if (text.size() - offset < sizeof words)
-        return 0;
-    std::memcpy(words.data(), text.data() + offset, sizeof words);
-    std::uint64_t all = 0;
-    for (const std::uint64_t word : words)
-        all |= word;
-    return (all & high_bits) == 0 ? sizeof words : 0;
+/// How many bytes from `offset` on are ASCII, which nearly all of a text is, as far as two looks
+/// tell.
+[[nodiscard]] std::size_t size_of_ascii(std::string_view text, std::size_t offset) noexcept {
+    const std::size_t left = text.size() - offset;
+    if (left >= block_size && is_ascii_block(text.data() + offset))
+        return block_size;
+    return left >= word_size && is_ascii_word(text.data() + offset) ? word_size : 0;
 }
 
 [[nodiscard]] Diagnostic broken_byte(std::string_view text, std::uint32_t offset,
@@ -39,10 +33,7 @@ std::optional<Diagnostic> check_encoding(std::string_view text, Encoding encodin
     if (encoding == Encoding::iso_8859_1)
         return std::nullopt; // every byte is a character
     for (std::size_t offset = 0; offset < text.size();) {
-        std::size_t size = ascii_block<16>(text, offset);
-        if (size == 0)
-            size = ascii_block<1>(text, offset);
-        if (size > 0) {
+        if (const std::size_t size = size_of_ascii(text, offset); size > 0) {
             offset += size;
             continue;
         }

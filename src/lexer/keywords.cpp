@@ -13,4 +13,12 @@ static_assert(std::ranges::all_of(keywords::spellings, [](std::string_view word)
     return std::ranges::all_of(word, [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; });
 }));
 
+bool keywords::ends_alike(std::string_view word, std::uint8_t index) noexcept {
+    return names_equal(word.substr(head_size), spellings[index].substr(head_size));
+}
+
+TokenKind keyword_kind(std::string_view word) noexcept {
+    return keyword_kind(word, keywords::head_of(word));
+}
+
 } // namespace iecfront

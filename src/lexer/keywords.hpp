@@ -85,24 +85,25 @@ inline constexpr SlotTable slots = slot_table();
 
 } // namespace keywords
 
+namespace keywords {
+
+// True when `word` is keyword `index`, which has the same size and begins alike.
+[[nodiscard]] bool ends_alike(std::string_view word, std::uint8_t index) noexcept;
+
+} // namespace keywords
+
 // `keyword_kind` of a word whose `keywords::head_of` is known.
 [[nodiscard]] inline TokenKind keyword_kind(std::string_view word, std::uint64_t head) noexcept {
     const std::uint8_t index =
         keywords::slots[keywords::slot({head, word.size()}, keywords::multiplier)];
     const keywords::Entry entry = keywords::entries[index];
-    if (entry.head != head || entry.size != word.size())
-        return TokenKind::identifier;
-    if (word.size() > keywords::head_size &&
-        !names_equal(word.substr(keywords::head_size),
-                     keywords::spellings[index].substr(keywords::head_size)))
-        return TokenKind::identifier;
-    return static_cast<TokenKind>(index);
+    const bool same = entry.head == head && entry.size == word.size() &&
+                      (word.size() <= keywords::head_size || keywords::ends_alike(word, index));
+    return same ? static_cast<TokenKind>(index) : TokenKind::identifier;
 }
 
 // The kind of keyword that `word`, made of letters, digits and underscores only, is in any case of
 // its letters; `identifier` when it is none. One probe.
-[[nodiscard]] inline TokenKind keyword_kind(std::string_view word) noexcept {
-    return keyword_kind(word, keywords::head_of(word));
-}
+[[nodiscard]] TokenKind keyword_kind(std::string_view word) noexcept;
 
 } // namespace iecfront

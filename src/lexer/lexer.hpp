@@ -35,6 +35,12 @@ struct LexedText {
     std::vector<OpenEnd> open_ends;      // ordered by position
 };
 
+/// So many digits fit 64 bits: nothing can be wrong with them.
+inline constexpr std::ptrdiff_t safe_digits = 18;
+
+/// Nobody writes a longer literal than this, but for strings: what is longer is not tried as one.
+inline constexpr std::size_t longest_tried = 40;
+
 /// Reads a text, all of it or some tokens at a time. Never fails: tokens, trivia and the white
 /// space between them give back every byte.
 class Lexer {
@@ -149,7 +155,7 @@ private:
     const char* end_of_prose(const char* begin, std::string_view opening, std::string_view closing);
     const char* line_end(const char* begin);
 
-    [[nodiscard]] static bool is_odd_word(std::string_view word) noexcept;
+    [[nodiscard]] static bool word_goes_on(const char* end) noexcept;
     [[nodiscard]] static bool number_goes_on(const char* begin, const char* end) noexcept;
 
     void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "lexer/characters.hpp"
+#include "source/byte_mask.hpp"
 
 #include <iecfront/lexer/name.hpp>
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -12,71 +14,122 @@ namespace iecfront {
 
 /// A word: letters, digits and underscores, as many of them as there are.
 struct WordShape {
-    const char* end;        // behind the last one
-    std::uint64_t head;     // the first eight bytes in capitals; the first byte is the lowest
-    bool stray_underscores; // two in a row, or one at the end
+    const char* end;    // behind the last one
+    std::uint64_t head; // the first eight bytes in capitals; the first byte is the lowest
+    bool odd;           // two underscores in a row, one at the end, or longer than a token can be
 
     friend bool operator==(const WordShape&, const WordShape&) = default;
 };
 
 namespace words {
 
-inline constexpr std::size_t glance = sizeof(std::uint64_t); // bytes that are looked at at once
-inline constexpr std::uint64_t ones = 0x0101010101010101U;
-inline constexpr std::uint64_t high_bits = 0x8080808080808080U;
+inline constexpr std::size_t head_size = sizeof(std::uint64_t);
+
+[[nodiscard]] constexpr bool is_too_long(const char* begin, const char* end) noexcept {
+    return static_cast<std::size_t>(end - begin) > Token::maximum_length;
+}
 
 /// `shape_of_word`, a byte at a time.
 [[nodiscard]] constexpr WordShape shape_bytewise(const char* begin) noexcept {
     WordShape shape{begin, 0, false};
     for (const char*& p = shape.end; is_word_part(*p); ++p) {
         const auto place = static_cast<std::size_t>(p - begin);
-        if (place < glance)
+        if (place < head_size)
             shape.head |= std::uint64_t{static_cast<unsigned char>(fold(*p))} << (8 * place);
         if (*p == '_' && (p[1] == '_' || !is_word_part(p[1])))
-            shape.stray_underscores = true;
+            shape.odd = true;
     }
+    shape.odd = shape.odd || is_too_long(begin, shape.end);
     return shape;
 }
 
-/// The high bits of those bytes that lie from `first` to `last`; the other bits are of no use. No
-/// byte may have its high bit set.
-[[nodiscard]] constexpr std::uint64_t bytes_between(std::uint64_t bytes, unsigned first,
-                                                    unsigned last) noexcept {
-    return (bytes + (0x80 - first) * ones) & ~(bytes + (0x7F - last) * ones);
+/// Which of `mask_size` bytes are letters, digits and underscores, and which are underscores: the
+/// lowest bit is the first byte.
+struct Masks {
+    std::uint32_t parts = 0;
+    std::uint32_t underscores = 0;
+
+    friend bool operator==(const Masks&, const Masks&) = default;
+};
+
+[[nodiscard]] inline Masks masks_one_by_one(const char* bytes) noexcept {
+    Masks masks;
+    for (std::size_t i = 0; i < mask_size; ++i) {
+        masks.parts |= is_word_part(bytes[i]) ? 1U << i : 0U;
+        masks.underscores |= bytes[i] == '_' ? 1U << i : 0U;
+    }
+    return masks;
+}
+
+/// The same, all at once where the processor can.
+[[nodiscard]] inline Masks masks_of(const char* bytes) noexcept {
+#ifdef IECFRONT_HAS_SSE2
+    const __m128i block = load_block(bytes);
+    // Moves the bytes from `first` on to the least there are, and takes those that are less than
+    // `count` above these.
+    const auto range = [](__m128i of, char first, int count) {
+        const __m128i moved = _mm_sub_epi8(of, _mm_set1_epi8(static_cast<char>(first - INT8_MIN)));
+        return _mm_cmplt_epi8(moved, _mm_set1_epi8(static_cast<char>(INT8_MIN + count)));
+    };
+    const __m128i letters = range(_mm_or_si128(block, _mm_set1_epi8(0x20)), 'a', 26);
+    const __m128i digits = range(block, '0', 10);
+    const __m128i underscores = _mm_cmpeq_epi8(block, _mm_set1_epi8('_'));
+    const __m128i parts = _mm_or_si128(_mm_or_si128(letters, digits), underscores);
+    return {static_cast<std::uint32_t>(_mm_movemask_epi8(parts)),
+            static_cast<std::uint32_t>(_mm_movemask_epi8(underscores))};
+#else
+    return masks_one_by_one(bytes);
+#endif
+}
+
+/// Those underscores of the word that the masks begin with which no letter or digit follows; of the
+/// last byte this is not known.
+[[nodiscard]] constexpr std::uint32_t stray_underscores(Masks masks) noexcept {
+    const std::uint32_t of_word =
+        masks.parts & ~(masks.parts + 1); // the ones before the first zero
+    return masks.underscores & of_word & ((masks.underscores | ~masks.parts) >> 1) &
+           ~(1U << (mask_size - 1));
+}
+
+/// By the size of a word, what of its first eight bytes belongs to it.
+inline constexpr auto head_masks = [] {
+    std::array<std::uint64_t, mask_size> table{};
+    for (std::size_t size = 0; size < table.size(); ++size)
+        table[size] = size < head_size ? (std::uint64_t{1} << (8 * size)) - 1 : ~std::uint64_t{0};
+    return table;
+}();
+
+/// `shape_of_word` of one that is as long as what is looked at at once, or longer.
+[[nodiscard]] inline WordShape shape_of_long_word(const char* begin,
+                                                  const char* text_end) noexcept {
+    std::uint32_t stray = 0;
+    // The last byte of each step is the first of the next.
+    for (const char* p = begin; static_cast<std::size_t>(text_end - p) >= mask_size;
+         p += mask_size - 1) {
+        const Masks masks = masks_of(p);
+        stray |= stray_underscores(masks);
+        const auto size = static_cast<std::size_t>(std::countr_one(masks.parts));
+        if (size < mask_size)
+            return {p + size, detail::fold_name_bytes(detail::load_bytes(begin, head_size)),
+                    stray != 0 || is_too_long(begin, p + size)};
+    }
+    return shape_bytewise(begin);
 }
 
 } // namespace words
 
-/// The word at `begin`. Eight bytes at once as far as the text goes, for no processor foresees
-/// where a word ends, and most are no longer.
+/// The word at `begin`, where one is. Many bytes at once as far as the text goes, for no processor
+/// foresees where a word ends, and most are no longer.
 [[nodiscard]] inline WordShape shape_of_word(const char* begin, const char* text_end) noexcept {
-    using words::high_bits;
-    using words::ones;
-    if constexpr (std::endian::native != std::endian::little)
+    if (static_cast<std::size_t>(text_end - begin) < mask_size) [[unlikely]]
         return words::shape_bytewise(begin);
-    std::uint64_t head = 0;
-    std::uint64_t stray = 0;
-    std::uint64_t before = 0; // 0x80 when an underscore stands before the eight bytes
-    for (const char* p = begin; static_cast<std::size_t>(text_end - p) >= words::glance;
-         p += words::glance) {
-        const std::uint64_t bytes = detail::load_bytes(p, words::glance);
-        const std::uint64_t low = bytes & ~high_bits;
-        const std::uint64_t letters = words::bytes_between(low | (high_bits >> 2), 'a', 'z');
-        const std::uint64_t digits = words::bytes_between(low, '0', '9');
-        const std::uint64_t not_underscores = (low ^ '_' * ones) + ~high_bits;
-        const std::uint64_t others = ((~(letters | digits) & not_underscores) | bytes) & high_bits;
-        const std::uint64_t first_other = others & (0 - others);
-        const std::uint64_t of_word = (first_other >> 7) - 1; // the bits of all bytes before it
-        const std::uint64_t underscores = ~not_underscores & high_bits & of_word;
-        stray |= underscores & ((underscores << 8) | (first_other >> 8) | before);
-        stray |= first_other & before;
-        if (p == begin) // a capital has one bit less than the small letter
-            head = bytes & of_word & ~((letters & high_bits) >> 2);
-        if (others != 0)
-            return {p + std::countr_zero(others) / 8, head, stray != 0};
-        before = underscores >> 56;
-    }
-    return words::shape_bytewise(begin);
+    const words::Masks masks = words::masks_of(begin);
+    const auto size = static_cast<std::size_t>(std::countr_one(masks.parts));
+    if (size >= mask_size) [[unlikely]]
+        return words::shape_of_long_word(begin, text_end);
+    const std::uint64_t head = detail::load_bytes(begin, words::head_size);
+    return {begin + size, detail::fold_name_bytes(head) & words::head_masks[size],
+            words::stray_underscores(masks) != 0};
 }
 
 } // namespace iecfront

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #if defined(__SSE2__) || defined(_M_X64)
 #include <emmintrin.h>
@@ -21,15 +22,53 @@ inline constexpr std::size_t mask_size = 16;
     return mask;
 }
 
-/// The same, all at once where the processor can.
-[[nodiscard]] inline std::uint32_t mask_of(const char* bytes, char sought) noexcept {
-#ifdef IECFRONT_HAS_SSE2
-    const __m128i block = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes));
-    return static_cast<std::uint32_t>(
-        _mm_movemask_epi8(_mm_cmpeq_epi8(block, _mm_set1_epi8(sought))));
-#else
-    return mask_of_one_by_one(bytes, sought);
-#endif
+/// Bytes that `is_ascii_block` looks at.
+inline constexpr std::size_t block_size = 128;
+
+inline constexpr std::size_t word_size = sizeof(std::uint64_t);
+
+/// True when the `word_size` bytes from `bytes` on are ASCII.
+[[nodiscard]] inline bool is_ascii_word(const char* bytes) noexcept {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes, word_size);
+    return (word & 0x8080808080808080U) == 0;
 }
+
+/// True when the `block_size` bytes from `bytes` on are.
+[[nodiscard]] inline bool is_ascii_block_by_words(const char* bytes) noexcept {
+    bool ascii = true;
+    for (std::size_t i = 0; i < block_size; i += word_size)
+        ascii = is_ascii_word(bytes + i) && ascii;
+    return ascii;
+}
+
+#ifdef IECFRONT_HAS_SSE2
+
+[[nodiscard]] inline __m128i load_block(const char* bytes) noexcept {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes));
+}
+
+/// The same as the two above, all at once where the processor can.
+[[nodiscard]] inline std::uint32_t mask_of(const char* bytes, char sought) noexcept {
+    return static_cast<std::uint32_t>(
+        _mm_movemask_epi8(_mm_cmpeq_epi8(load_block(bytes), _mm_set1_epi8(sought))));
+}
+[[nodiscard]] inline bool is_ascii_block(const char* bytes) noexcept {
+    __m128i all = _mm_setzero_si128();
+    for (std::size_t i = 0; i < block_size; i += mask_size)
+        all = _mm_or_si128(all, load_block(bytes + i));
+    return _mm_movemask_epi8(all) == 0;
+}
+
+#else
+
+[[nodiscard]] inline std::uint32_t mask_of(const char* bytes, char sought) noexcept {
+    return mask_of_one_by_one(bytes, sought);
+}
+[[nodiscard]] inline bool is_ascii_block(const char* bytes) noexcept {
+    return is_ascii_block_by_words(bytes);
+}
+
+#endif
 
 } // namespace iecfront

@@ -10,7 +10,6 @@
 namespace iecfront {
 namespace {
 
-constexpr std::size_t word_size = sizeof(std::uint64_t);
 constexpr std::uint64_t ones = 0x0101010101010101U;
 constexpr std::uint64_t high_bits = 0x8080808080808080U;
 
@@ -97,19 +96,29 @@ LineTable::LineTable(std::string_view text) {
 }
 
 void LineTable::add_line_feeds(std::string_view text) {
-    std::size_t at = 0;
-    for (; text.size() - at >= mask_size; at += mask_size)
-        for (std::uint32_t mask = mask_of(text.data() + at, '\n'); mask != 0; mask &= mask - 1)
-            starts_.push_back(static_cast<std::uint32_t>(at) +
-                              static_cast<std::uint32_t>(std::countr_zero(mask)) + 1);
-    for (; at < text.size(); ++at)
-        if (text[at] == '\n')
-            starts_.push_back(static_cast<std::uint32_t>(at + 1));
+    constexpr std::size_t step = 4 * mask_size;
+    const char* const begin = text.data();
+    const char* const end = begin + text.size();
+    const char* p = begin;
+    for (; static_cast<std::size_t>(end - p) >= step; p += step) {
+        std::uint64_t mask = 0;
+        for (std::size_t i = 0; i < step; i += mask_size)
+            mask |= std::uint64_t{mask_of(p + i, '\n')} << i;
+        const auto behind = static_cast<std::uint32_t>(p - begin) + 1;
+        for (; mask != 0; mask &= mask - 1)
+            starts_.push_back(behind + static_cast<std::uint32_t>(std::countr_zero(mask)));
+    }
+    for (; p != end; ++p)
+        if (*p == '\n')
+            starts_.push_back(static_cast<std::uint32_t>(p - begin) + 1);
 }
 
 LineTable::LineTable(std::string_view text, Encoding encoding) : LineTable(text) {
     constexpr std::uint32_t stretch = 4096; // bytes between two columns that are noted
     for (std::uint32_t line = 0; line <= line_end_count(); ++line) {
+        const std::size_t behind = line < line_end_count() ? starts_[line] : text.size();
+        if (behind - line_start(line) <= 2 * stretch)
+            continue;
         const std::uint32_t end = line_end(text, line);
         KnownColumn known{line_start(line), 1};
         while (end - known.offset > 2 * stretch) {

@@ -25,21 +25,43 @@ TEST(WordShape, EndsWhereTheWordDoes) {
 
 TEST(WordShape, SeesStrayUnderscores) {
     for (const char* const word : {"a_", "a__b", "_", "__", "abcdefg_", "abcdefgh_", "abcdefg__i",
-                                   "abcdefgh__", "abcdefg_hijklmn_", "a_b_c_d__e"})
+                                   "abcdefgh__", "abcdefg_hijklmn_", "a_b_c_d__e",
+                                   "abcdefghijklmno__p", "abcdefghijklmnop_", "abcdefghijklmno_"})
         for (const char* const rest : {"", " ", " and so on, and so on", "\xDF and so on"})
-            EXPECT_TRUE(shape(word + std::string(rest)).stray_underscores) << word << rest;
-    for (const char* const word : {"a_b", "_a", "abcdefg_h", "abcdefgh_i", "a_b_c_d_e_f_g_h_i_j"})
+            EXPECT_TRUE(shape(word + std::string(rest)).odd) << word << rest;
+    for (const char* const word : {"a_b", "_a", "abcdefg_h", "abcdefgh_i", "a_b_c_d_e_f_g_h_i_j",
+                                   "abcdefghijklmno_p", "abcdefghijklmn_o"})
         for (const char* const rest : {"", " ", " _ and so on, and __", "\xDF_ and so on"})
-            EXPECT_FALSE(shape(word + std::string(rest)).stray_underscores) << word << rest;
+            EXPECT_FALSE(shape(word + std::string(rest)).odd) << word << rest;
 }
 
-// Near the end of a text it is read a byte at a time, elsewhere by eights.
+// A word of any size is one word, but not one token.
+TEST(WordShape, SeesWhatIsLongerThanAToken) {
+    const std::string longest(Token::maximum_length, 'a');
+    EXPECT_FALSE(shape(longest + ";                ").odd);
+    EXPECT_TRUE(shape(longest + "a;                ").odd);
+    EXPECT_FALSE(words::shape_bytewise(longest.data()).odd);
+    EXPECT_TRUE(words::shape_bytewise((longest + 'a').data()).odd);
+}
+
+TEST(WordShape, MasksAreTheSameInBothWays) {
+    std::mt19937 random(20034); // fixed: a failure has to come back
+    std::string bytes(mask_size, '\0');
+    for (int round = 0; round < 50000; ++round) {
+        for (char& byte : bytes)
+            byte = static_cast<char>(random() % (round % 2 == 0 ? 256 : 128));
+        ASSERT_EQ(words::masks_of(bytes.data()), words::masks_one_by_one(bytes.data()))
+            << testing::PrintToString(bytes);
+    }
+}
+
+// Near the end of a text it is read a byte at a time, elsewhere by sixteens.
 TEST(WordShape, IsTheSameInBothWays) {
     constexpr std::string_view characters = "azAZ_09@[`{/: m_M5";
     std::mt19937 random(20033); // fixed: a failure has to come back
     for (int round = 0; round < 50000; ++round) {
         std::string text;
-        for (auto size = random() % 40; size > 0; --size)
+        for (auto size = random() % 70; size > 0; --size)
             text += random() % 16 == 0 ? static_cast<char>(random() % 256)
                                        : characters[random() % characters.size()];
         const WordShape bytewise = words::shape_bytewise(text.data());

@@ -24,4 +24,16 @@ TEST(ByteMask, IsThatOfEachByteAlone) {
             }
 }
 
+TEST(AsciiBlock, HoldsNothingElseAnywhere) {
+    std::string bytes(block_size, '\x7F');
+    EXPECT_TRUE(is_ascii_block(bytes.data()));
+    EXPECT_TRUE(is_ascii_block_by_words(bytes.data()));
+    for (char& byte : bytes) {
+        byte = '\x80';
+        EXPECT_FALSE(is_ascii_block(bytes.data()));
+        EXPECT_FALSE(is_ascii_block_by_words(bytes.data()));
+        byte = '\x7F';
+    }
+}
+
 } // namespace

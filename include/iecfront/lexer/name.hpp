@@ -83,6 +83,17 @@ namespace detail {
     return static_cast<std::uint32_t>(mix_name(hash, load_bytes(last, step)));
 }
 
+[[nodiscard]] constexpr bool are_equal_folded(const char* a, const char* b,
+                                              std::size_t size) noexcept {
+    for (std::size_t i = 0; i < size; ++i)
+        if (fold(a[i]) != fold(b[i]))
+            return false;
+    return true;
+}
+// The same, compiled once.
+[[nodiscard]] IECFRONT_API bool are_equal_names(const char* a, const char* b,
+                                                std::size_t size) noexcept;
+
 } // namespace detail
 
 /// Hash of a name with its case folded: names that differ in case only have the same (2.1.2).
@@ -97,10 +108,8 @@ namespace detail {
 [[nodiscard]] constexpr bool names_equal(std::string_view a, std::string_view b) noexcept {
     if (a.size() != b.size())
         return false;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (fold(a[i]) != fold(b[i]))
-            return false;
-    return true;
+    return std::is_constant_evaluated() ? detail::are_equal_folded(a.data(), b.data(), a.size())
+                                        : detail::are_equal_names(a.data(), b.data(), a.size());
 }
 
 /// The name in upper case.
