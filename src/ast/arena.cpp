@@ -34,7 +34,7 @@ void* Arena::allocate(std::size_t size, std::size_t alignment) {
 // In pieces that are copied by a few plain instructions each: a block is too small to be worth what
 // a copy of any size begins with.
 Arena Arena::trimmed() const {
-    constexpr std::size_t piece = 128;
+    constexpr std::size_t piece = 256;
     Arena copy(used_);
     copy.used_ = used_;
     std::byte* const to = copy.block_.get();

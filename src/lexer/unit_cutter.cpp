@@ -1,5 +1,7 @@
 #include "lexer/unit_cutter.hpp"
 
+#include "lexer/block_words.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -8,19 +10,17 @@ namespace iecfront {
 
 namespace {
 
-struct Bracket {
-    TokenKind opener;
-    TokenKind closer;
-};
-
 // The library element declarations of B.0; none of them may stand inside another one.
-constexpr std::array brackets = {
-    Bracket{TokenKind::kw_function, TokenKind::kw_end_function},
-    Bracket{TokenKind::kw_function_block, TokenKind::kw_end_function_block},
-    Bracket{TokenKind::kw_program, TokenKind::kw_end_program},
-    Bracket{TokenKind::kw_type, TokenKind::kw_end_type},
-    Bracket{TokenKind::kw_configuration, TokenKind::kw_end_configuration},
-};
+[[nodiscard]] constexpr bool is_library_element(const BlockWords& words) noexcept {
+    switch (words.opener) {
+    case TokenKind::kw_function:
+    case TokenKind::kw_function_block:
+    case TokenKind::kw_program:
+    case TokenKind::kw_type:
+    case TokenKind::kw_configuration: return true;
+    default: return false;
+    }
+}
 
 // What a word means to the cutter, for one look-up a token.
 enum class Role : std::uint8_t {
@@ -33,31 +33,17 @@ enum class Role : std::uint8_t {
     end, // closes something smaller
 };
 
-constexpr std::array variable_words = {
-    TokenKind::kw_var,        TokenKind::kw_var_input,  TokenKind::kw_var_output,
-    TokenKind::kw_var_in_out, TokenKind::kw_var_temp,   TokenKind::kw_var_external,
-    TokenKind::kw_var_access, TokenKind::kw_var_config,
-};
-constexpr std::array smaller_closers = {
-    TokenKind::kw_end_struct,     TokenKind::kw_end_resource, TokenKind::kw_end_step,
-    TokenKind::kw_end_transition, TokenKind::kw_end_action,   TokenKind::kw_end_if,
-    TokenKind::kw_end_case,       TokenKind::kw_end_for,      TokenKind::kw_end_while,
-    TokenKind::kw_end_repeat,
-};
-
 [[nodiscard]] consteval std::array<Role, token_kind_count> role_table() {
     std::array<Role, token_kind_count> table{};
     const auto set = [&table](TokenKind kind, Role role) {
         table[static_cast<std::size_t>(kind)] = role;
     };
-    for (const Bracket& bracket : brackets) {
-        set(bracket.opener, Role::opener);
-        set(bracket.closer, Role::closer);
+    for (const BlockWords& words : block_pairs) {
+        const bool element = is_library_element(words);
+        const bool variables = words.closer == TokenKind::kw_end_var;
+        set(words.opener, element ? Role::opener : variables ? Role::variables : Role::none);
+        set(words.closer, element ? Role::closer : Role::end);
     }
-    for (const TokenKind kind : variable_words)
-        set(kind, Role::variables);
-    for (const TokenKind kind : smaller_closers)
-        set(kind, Role::end);
     set(TokenKind::kw_var_global, Role::global_variables);
     set(TokenKind::kw_end_var, Role::variables_end);
     return table;
@@ -82,8 +68,8 @@ constexpr std::array<Role, token_kind_count> roles = role_table();
 }
 
 [[nodiscard]] bool closes(TokenKind closer, TokenKind opener) noexcept {
-    return std::ranges::any_of(brackets, [=](const Bracket& bracket) {
-        return bracket.opener == opener && bracket.closer == closer;
+    return std::ranges::any_of(block_pairs, [=](const BlockWords& words) {
+        return words.opener == opener && words.closer == closer;
     });
 }
 
@@ -96,6 +82,52 @@ constexpr std::array<Role, token_kind_count> roles = role_table();
            token.kind() == TokenKind::semicolon;
 }
 
+// The closing word of the block that a word opens or closes; end_of_unit for all other tokens.
+[[nodiscard]] consteval std::array<TokenKind, token_kind_count> closer_table() {
+    std::array<TokenKind, token_kind_count> table{};
+    table.fill(TokenKind::end_of_unit);
+    for (const BlockWords& words : block_pairs) {
+        table[static_cast<std::size_t>(words.opener)] = words.closer;
+        table[static_cast<std::size_t>(words.closer)] = words.closer;
+    }
+    return table;
+}
+
+constexpr std::array<TokenKind, token_kind_count> closers = closer_table();
+
+[[nodiscard]] constexpr TokenKind closer_of(TokenKind kind) noexcept {
+    return closers[static_cast<std::size_t>(kind)];
+}
+
+constexpr auto block_words = [] {
+    std::array<bool, token_kind_count> table{};
+    for (std::size_t kind = 0; kind < table.size(); ++kind)
+        table[kind] = closers[kind] != TokenKind::end_of_unit;
+    return table;
+}();
+
+[[nodiscard]] constexpr bool is_block_word(Token token) noexcept {
+    return block_words[static_cast<std::size_t>(token.kind())];
+}
+
+// The first word of a block from `begin` on, else `end`. Few tokens are one, so some are looked at
+// together.
+[[nodiscard]] std::size_t next_word(std::span<const Token> tokens, std::size_t begin,
+                                    std::size_t end) noexcept {
+    constexpr std::size_t step = 4;
+    const auto hold_word = [](std::span<const Token, step> some) {
+        bool held = false;
+        for (const Token token : some)
+            held = is_block_word(token) || held;
+        return held;
+    };
+    while (begin + step <= end && !hold_word(tokens.subspan(begin).first<step>()))
+        begin += step;
+    while (begin < end && !is_block_word(tokens[begin]))
+        ++begin;
+    return begin;
+}
+
 } // namespace
 
 std::optional<UnitCut> UnitCutter::next(std::span<const Token> tokens, bool complete) {
@@ -103,10 +135,11 @@ std::optional<UnitCut> UnitCutter::next(std::span<const Token> tokens, bool comp
     const std::size_t count = tokens.size() - (complete ? 1 : 0);
     const std::size_t end = complete ? count : count - std::min(count, cutter_lookahead);
     cut_.reset();
-    for (; at_ < end && !cut_; ++at_) {
+    for (; !cut_; ++at_) {
+        at_ = next_word(tokens, at_, end);
+        if (at_ >= end)
+            break;
         const Role role = role_of(tokens[at_].kind());
-        if (role == Role::none)
-            continue;
         const bool may_close = role == Role::closer || role == Role::variables_end;
         if (may_close && !complete && !sees_semicolons(at_))
             return std::nullopt;
@@ -131,7 +164,18 @@ void UnitCutter::drop(std::size_t count) noexcept {
     opener_ -= std::min(opener_, count); // of no use when nothing is open
 }
 
+// A closing word is of the unit that it ends, an opening word of the one that it begins.
 void UnitCutter::see(std::size_t i) {
+    const TokenKind kind = tokens_[i].kind();
+    const TokenKind closer = closer_of(kind);
+    if (kind == closer)
+        --unclosed_[static_cast<std::size_t>(closer)];
+    find_cut(i);
+    if (kind != closer)
+        ++unclosed_[static_cast<std::size_t>(closer)];
+}
+
+void UnitCutter::find_cut(std::size_t i) {
     const TokenKind kind = tokens_[i].kind();
     const bool nothing_open = open_ == TokenKind::end_of_unit;
     switch (role_of(kind)) {
@@ -225,7 +269,11 @@ bool UnitCutter::is_in_two_words(std::size_t i) const noexcept {
 
 void UnitCutter::cut_before(std::size_t i) {
     const std::size_t opener = open_ == TokenKind::end_of_unit ? i : opener_;
-    cut_ = UnitCut{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(opener)};
+    bool balanced = true;
+    for (const BlockWords& words : block_pairs)
+        balanced =
+            std::exchange(unclosed_[static_cast<std::size_t>(words.closer)], 0) == 0 && balanced;
+    cut_ = UnitCut{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(opener), balanced};
     cut_any_ = true;
     unit_begin_ = i;
     open_ = TokenKind::end_of_unit;

@@ -3,6 +3,7 @@
 #include <iecfront/lexer/token.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -15,6 +16,7 @@ namespace iecfront {
 struct UnitCut {
     std::uint32_t end_token; // one past its last token
     std::uint32_t opener;    // the word that opens the declaration; end_token when there is none
+    bool balanced;           // as many blocks of each kind begin as are closed: see `block_pairs`
 };
 
 /// So many tokens behind a place can decide whether a unit ends there: an opening word and what
@@ -35,6 +37,7 @@ public:
 
 private:
     void see(std::size_t i);
+    void find_cut(std::size_t i);
     void open(std::size_t i);
     void close(std::size_t i);
     void cut_before(std::size_t i);
@@ -63,6 +66,8 @@ private:
     TokenKind open_ = TokenKind::end_of_unit; // the opener; end_of_unit when nothing is open
     std::size_t opener_ = 0;
     bool variables_open_ = false; // a block of variables in it
+    // By closing word: how many more blocks begin in the unit than are closed, so far.
+    std::array<std::int32_t, token_kind_count> unclosed_{};
 };
 
 /// The cuts of a whole file, whose last token is end_of_unit.

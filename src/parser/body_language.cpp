@@ -111,6 +111,7 @@ public:
 
 private:
     void survey();
+    [[nodiscard]] std::uint32_t next_telling(std::uint32_t index) const noexcept;
     [[nodiscard]] bool is_decided() const noexcept;
     void count_chart_word(std::uint32_t& index) noexcept;
     void begin_line(std::uint32_t index) noexcept;
@@ -207,16 +208,28 @@ void Parser::BodySurvey::count_token(std::uint32_t index) noexcept {
     }
 }
 
-void Parser::BodySurvey::survey() {
+/// The next token behind `index`, which is not the end, that says something of the language: one of
+/// some kinds, or the first on its line.
+std::uint32_t Parser::BodySurvey::next_telling(std::uint32_t index) const noexcept {
     static constexpr TokenSet telling =
         unit_ends | statement_closers | other_closers | chart_openers | chart_closers |
         statement_words |
         TokenSet{TokenKind::left_parenthesis, TokenKind::right_parenthesis, TokenKind::assign,
                  TokenKind::equal, TokenKind::semicolon};
-    for (std::uint32_t i = begin_;; i = parser_.next(i)) {
-        if (!telling.contains(kind(i)) && !parser_.tokens_[i].first_on_line() && i != begin_)
-            continue;
-        if (unit_ends.contains(kind(i)) || kind(i) == closer_ || is_decided())
+    const auto tells = [](Token token) {
+        return telling.contains(token.kind()) ||
+               (token.first_on_line() && token.kind() != TokenKind::unknown);
+    };
+    do
+        ++index;
+    while (!tells(parser_.tokens_[index]));
+    return index;
+}
+
+void Parser::BodySurvey::survey() {
+    for (std::uint32_t i = begin_;; i = next_telling(i)) {
+        const bool begins_line = i == begin_ || parser_.tokens_[i].first_on_line();
+        if (unit_ends.contains(kind(i)) || kind(i) == closer_ || (begins_line && is_decided()))
             return;
         if (chart_closers.contains(kind(i)) || parser_.begins_chart_element(i)) {
             if (closer_ == TokenKind::kw_end_action && !begins_chart_ &&
@@ -225,8 +238,7 @@ void Parser::BodySurvey::survey() {
             count_chart_word(i);
             continue;
         }
-        if ((i == begin_ || parser_.tokens_[i].first_on_line()) &&
-            kind(i) != TokenKind::right_parenthesis)
+        if (begins_line && kind(i) != TokenKind::right_parenthesis)
             begin_line(i);
         count_token(i);
     }

@@ -190,7 +190,7 @@ const ast::Node* Parser::parse_configuration_element(Place place) {
     const TokenKind meant = misspelt_configuration_word();
     if (at(TokenKind::identifier) && meant != TokenKind::end_of_unit) {
         const std::string word(spelling(meant));
-        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), word})
+        report_at(at_, DiagnosticId::misspelt_word, {text(at_), word})
             .replace(token().range(), word);
     }
     switch (meant) {
@@ -211,7 +211,7 @@ const ast::Node* Parser::parse_configuration_element(Place place) {
     }
     auto* skipped = make<ast::SkippedText>();
     if (at(TokenKind::kw_end_resource) || at_unknown_closer()) {
-        Report stray = report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
+        Report stray = report_at(at_, DiagnosticId::stray_closing_word, {text(at_)});
         advance();
         accept(TokenKind::semicolon);
         finish(skipped);
@@ -365,7 +365,7 @@ const ast::TaskInitialization* Parser::parse_task_initialization() {
         report_unexpected("SINGLE, INTERVAL or PRIORITY");
     } else if (!at_word(task_words[word])) {
         const std::string meant(task_words[word]);
-        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
+        report_at(at_, DiagnosticId::misspelt_word, {text(at_), meant})
             .replace(token().range(), meant);
     }
     node->name = parse_name("SINGLE, INTERVAL or PRIORITY");
@@ -387,12 +387,11 @@ void Parser::check_task(const ast::TaskConfiguration& task) {
         if (!known)
             continue;
         if (parts[index] != nullptr)
-            report_at(part->first_token, DiagnosticId::repeated_part,
-                      {std::string(task_words[index])})
+            report_at(part->first_token, DiagnosticId::repeated_part, {task_words[index]})
                 .label(LabelId::first_given, parts[index]->first_token);
         else if (index < expected)
             report_at(part->first_token, DiagnosticId::task_initialization_order,
-                      {std::string(task_words[index]), std::string(task_words[expected - 1])});
+                      {task_words[index], task_words[expected - 1]});
         parts[index] = part;
         expected = std::max(expected, index + 1);
         priority = priority || index + 1 == task_words.size();
@@ -441,14 +440,13 @@ const ast::Expression* Parser::parse_connection_operand(std::string_view what,
             return path;
         }
         const ast::Expression* expression = parse_binary_rest(path, 1);
-        report_node(*expression, DiagnosticId::long_reference,
-                    {"an expression", std::string(what)});
+        report_node(*expression, DiagnosticId::long_reference, {"an expression", what});
         return expression;
     }
     const ast::Expression* value = parse_expression();
     if (!value->missing && !ast::is<ast::Constant>(value->kind) &&
         value->kind != ast::NodeKind::error_expression)
-        report_node(*value, DiagnosticId::long_reference, {"an expression", std::string(what)});
+        report_node(*value, DiagnosticId::long_reference, {"an expression", what});
     return value;
 }
 
@@ -473,7 +471,7 @@ void Parser::check_reference(const ast::Expression& path, std::string_view what,
                 {form.call || form.subscripts
                      ? "a path with subscripts or a call"
                      : "a path of " + std::to_string(form.names) + " names",
-                 std::string(what)});
+                 what});
 }
 
 /// A symbolic_variable has no call in it.
@@ -492,7 +490,7 @@ const ast::ProgramConfiguration* Parser::parse_program_configuration() {
     auto* node = make<ast::ProgramConfiguration>();
     advance();
     if (at(TokenKind::kw_constant))
-        report_at(at_, DiagnosticId::qualifier_of_block, {std::string(text(at_)), "PROGRAM"});
+        report_at(at_, DiagnosticId::qualifier_of_block, {text(at_), "PROGRAM"});
     node->qualifier = parse_block_qualifiers();
     node->name = parse_declared_name("the name of a program");
     if (accept_with())

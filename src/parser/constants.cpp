@@ -124,7 +124,7 @@ void Parser::report_not_plain(const ast::Expression& expression, std::string_vie
                         : first == TokenKind::based_integer ? "a number with a base"
                         : first == TokenKind::typed_literal ? "a number with a type"
                                                             : "a number with a sign";
-    report_node(expression, DiagnosticId::constant_expression, {std::string(what), found});
+    report_node(expression, DiagnosticId::constant_expression, {what, found});
 }
 
 // integer = digit { [ "_" ] digit } ;

@@ -137,6 +137,11 @@ void* Parser::allocate_from_reserve(std::size_t size, std::size_t alignment) {
     return arena_.allocate(size, alignment);
 }
 
+void Parser::make_room_for_pending() {
+    pending_room_ = 2 * pending_count_ + 64;
+    pending_.resize(pending_room_);
+}
+
 bool Parser::NestingGuard::report() const {
     if (!std::exchange(parser_.nesting_reported_, true))
         parser_.report(DiagnosticId::nesting_too_deep, parser_.token().range(),
@@ -216,8 +221,18 @@ bool Parser::holds(const std::vector<Diagnostic>& reports, const Diagnostic& rep
     });
 }
 
+DiagnosticArgument Parser::copied(const Argument& argument) {
+    if (const auto* const words = std::get_if<std::string_view>(&argument))
+        return std::string(*words);
+    if (const auto* const number = std::get_if<std::uint64_t>(&argument))
+        return *number;
+    return std::get<char32_t>(argument);
+}
+
 Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments arguments) {
-    diagnostics_.push_back({id, range, std::move(arguments), {}, {}});
+    Diagnostic& diagnostic = diagnostics_.emplace_back(Diagnostic{id, range, {}, {}, {}});
+    for (const Argument& argument : arguments)
+        diagnostic.arguments.push_back(copied(argument));
     // An empty list of statements may still be taken for a part of another mistake.
     if (expected_ != nullptr && !stopped_at_ && id != DiagnosticId::empty_statement_list &&
         !holds(*expected_, diagnostics_.back())) {
@@ -232,17 +247,17 @@ Parser::Report Parser::report_at(std::uint32_t token, DiagnosticId id, Arguments
     if (std::exchange(reported_at_, token) == token || follows_unknown(token) ||
         tokens_[token].malformed())
         return {*this, std::nullopt};
-    return report(id, tokens_[token].range(), std::move(arguments));
+    return report(id, tokens_[token].range(), arguments);
 }
 
 Parser::Report Parser::report_node(const ast::Node& node, DiagnosticId id, Arguments arguments) {
-    return report(id, token_range(node.first_token, node.end_token), std::move(arguments));
+    return report(id, token_range(node.first_token, node.end_token), arguments);
 }
 
 Parser::Report Parser::report_missing(DiagnosticId id, Arguments arguments) {
     if (std::exchange(reported_at_, at_) == at_ || follows_unclosed() || follows_unknown(at_))
         return {*this, std::nullopt};
-    return report(id, {previous_end(), previous_end()}, std::move(arguments));
+    return report(id, {previous_end(), previous_end()}, arguments);
 }
 
 void Parser::report_unfinished(DiagnosticId id, Arguments arguments) {
@@ -250,7 +265,7 @@ void Parser::report_unfinished(DiagnosticId id, Arguments arguments) {
                        diagnostics_.back().range.begin == previous_end();
     if (joins)
         diagnostics_.back().fixes.clear();
-    report_missing(id, std::move(arguments));
+    report_missing(id, arguments);
 }
 
 /// True behind a comment, pragma or string that nothing closes: it has taken the rest of its line,
@@ -268,8 +283,7 @@ bool Parser::follows_unclosed() const {
 }
 
 Parser::Report Parser::report_unexpected(std::string_view what) {
-    Report unexpected =
-        report_at(at_, DiagnosticId::unexpected_token, {std::string(what), describe(at_)});
+    Report unexpected = report_at(at_, DiagnosticId::unexpected_token, {what, describe(at_)});
     const std::uint32_t behind = next(at_);
     if (at(closing_brackets) && !begins_operand_on_line(behind) &&
         !is_elementary_type_name(tokens_[behind].kind()))
@@ -305,10 +319,10 @@ const ast::Identifier* Parser::make_identifier() {
 
 const ast::Identifier* Parser::make_missing_identifier(std::string_view what) {
     if (at_next_declaration()) {
-        report_unfinished(DiagnosticId::missing_name, {std::string(what), describe(at_)});
+        report_unfinished(DiagnosticId::missing_name, {what, describe(at_)});
         return make_missing<ast::Identifier>();
     }
-    report_at(at_, DiagnosticId::missing_name, {std::string(what), describe(at_)});
+    report_at(at_, DiagnosticId::missing_name, {what, describe(at_)});
     return make_missing<ast::Identifier>();
 }
 
@@ -372,7 +386,7 @@ void Parser::check_name_of_standard(TextRange range, std::uint32_t hash, NameUse
                             : use == NameUse::call      ? "cannot be called: declare an instance"
                                                         : "can only be a type";
     report(DiagnosticId::standard_name_as_name, range,
-           {std::string(name), function ? "function" : "function block", but});
+           {name, function ? "function" : "function block", but});
 }
 
 bool Parser::used_as_name(TokenKind kind) const noexcept {

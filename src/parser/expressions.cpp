@@ -243,8 +243,7 @@ OperatorReading Parser::accept_doubtful_operator(unsigned minimum) {
     else if (split != TokenKind::end_of_unit)
         accept_split_operator(split);
     else if (!row.meant.empty())
-        report_at(at_, DiagnosticId::foreign_operator,
-                  {std::string(text(at_)), std::string(row.meant)})
+        report_at(at_, DiagnosticId::foreign_operator, {text(at_), row.meant})
             .replace(token().range(), std::string(row.meant));
     return {static_cast<std::uint8_t>(row.strength), row.op};
 }
@@ -260,7 +259,7 @@ const ast::Expression* Parser::parse_shift(const ast::Expression* left) {
     const TextRange range = token_range(at_, next(at_) + 1);
     const std::string function = at(TokenKind::less) ? "SHL" : "SHR";
     const Report shift = report_at(at_, DiagnosticId::foreign_operator,
-                                   {std::string(text_.substr(range.begin, 2)), function + "(...)"});
+                                   {text_.substr(range.begin, 2), function + "(...)"});
     if (shift)
         diagnostics_[shift.index()].range = range;
     advance();
@@ -318,7 +317,7 @@ void Parser::accept_split_operator(TokenKind meant) {
     const TextRange range = token_range(at_, one ? at_ + 1 : next(at_) + 1);
     if (one || adjoins_next() || meant == TokenKind::equal)
         report(DiagnosticId::foreign_operator, range,
-               {std::string(text_.substr(range.begin, range.size())), words})
+               {text_.substr(range.begin, range.size()), words})
             .replace(range, words);
     else
         report(DiagnosticId::white_space_in_delimiter, {token().end(), tokens_[next(at_)].offset()},
@@ -350,7 +349,7 @@ const ast::Expression* Parser::parse_doubtful_unary() {
     if (!minus && !plus && !at(TokenKind::kw_not) && !misspelt)
         return parse_primary();
     if (misspelt)
-        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), "NOT"})
+        report_at(at_, DiagnosticId::misspelt_word, {text(at_), "NOT"})
             .replace(token().range(), "NOT");
     if (at(TokenKind::kw_not) && peek() == TokenKind::left_parenthesis && formal_list_follows())
         return check_function_call(parse_operator_call());

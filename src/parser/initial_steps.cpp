@@ -99,7 +99,7 @@ void Parser::check_initial_steps(const ast::SequentialFunctionChart& chart) {
             found.try_emplace(groups.group_of(name_of(*step->name)), step);
         if (!is_first)
             report_node(*step->name, DiagnosticId::second_initial_step,
-                        {std::string(text(step->name->first_token))})
+                        {text(step->name->first_token)})
                 .label(LabelId::first_given, place->second->name->first_token);
     }
 }

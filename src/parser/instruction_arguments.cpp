@@ -262,7 +262,7 @@ void Parser::report_parenthesis_for_comma() {
 
 /// Passes over a token that stands before what is `expected`.
 void Parser::drop_intruder(std::string_view expected) {
-    report_at(at_, DiagnosticId::unexpected_token, {std::string(expected), describe(at_)})
+    report_at(at_, DiagnosticId::unexpected_token, {expected, describe(at_)})
         .remove(token().range());
     advance();
 }

@@ -286,15 +286,14 @@ const ast::IlInstruction* Parser::parse_il_simple_instruction(std::string_view w
     if (diagnostics_.size() != reports)
         return instruction;
     if (instruction->label != nullptr) {
-        report_at(first, DiagnosticId::not_a_simple_instruction, {"a label", std::string(where)});
+        report_at(first, DiagnosticId::not_a_simple_instruction, {"a label", where});
         return instruction;
     }
     switch (instruction->operation->kind) {
     case ast::NodeKind::il_jump_operation:
     case ast::NodeKind::il_fb_call:
     case ast::NodeKind::il_return_operation:
-        report_at(first, DiagnosticId::not_a_simple_instruction,
-                  {quoted(first), std::string(where)});
+        report_at(first, DiagnosticId::not_a_simple_instruction, {quoted(first), where});
         break;
     default: break;
     }
@@ -466,8 +465,7 @@ const ast::IlOperation* Parser::parse_il_error_operation() {
     if (skipped_parentheses_ > 0) // its opening one stands in a line that was reported
         --skipped_parentheses_;
     else
-        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
-            .remove(token().range());
+        report_at(at_, DiagnosticId::stray_closing_word, {text(at_)}).remove(token().range());
     advance();
     return at_operator_field() ? parse_il_operation() : finish(error);
 }
@@ -503,7 +501,7 @@ const ast::IlOperation* Parser::parse_il_simple_operation(const IlOperatorRow& r
         node->op = IlOperator::none;
         node->function_name = make_identifier_of(word);
     } else if (several) {
-        report_at(at_, DiagnosticId::too_many_operands, {std::string(row.spelling)});
+        report_at(at_, DiagnosticId::too_many_operands, {row.spelling});
     } else if (needs_variable(row.op) && diagnostics_.size() == reports) {
         check_variable(row.spelling, *operand);
     }
@@ -541,8 +539,7 @@ void Parser::report_operand_of(const IlOperatorRow& row) {
     if (at_end_of_operands() || begins_instruction_on_line())
         return;
     const std::uint32_t first = at_;
-    Report operand =
-        report_at(first, DiagnosticId::unexpected_operand, {std::string(row.spelling)});
+    Report operand = report_at(first, DiagnosticId::unexpected_operand, {row.spelling});
     const std::uint32_t closing = at(TokenKind::left_parenthesis) ? closing_parenthesis(at_) : at_;
     const bool closes = tokens_[closing].kind() == TokenKind::right_parenthesis;
     if (closes && at_formal_argument(next(first))) { // no instructions, which could stay
@@ -560,8 +557,7 @@ void Parser::report_operand_of(const IlOperatorRow& row) {
 /// The operand of ST, of the input operators and of `=>` is written to.
 void Parser::check_variable(std::string_view writer, const ast::Expression& operand) {
     if (ast::is<ast::Constant>(operand.kind) || operand.kind == ast::NodeKind::enumerated_value)
-        report_node(operand, DiagnosticId::operand_is_no_variable,
-                    {std::string(writer), "a constant"});
+        report_node(operand, DiagnosticId::operand_is_no_variable, {writer, "a constant"});
 }
 
 // il_jump_operation = il_jump_operator label ;
@@ -860,7 +856,7 @@ const ast::Expression* Parser::expect_il_operand(std::string_view after) {
 
 /// In place of il_operand: there is none.
 const ast::Expression* Parser::parse_missing_il_operand(std::string_view after) {
-    report_missing(DiagnosticId::missing_operand, {std::string(after)});
+    report_missing(DiagnosticId::missing_operand, {after});
     return make_missing<ast::ErrorExpression>();
 }
 

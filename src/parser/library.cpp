@@ -54,7 +54,7 @@ const ast::Node* Parser::parse_library_element() {
     if (at(TokenKind::identifier)) {
         opener = misspelt_opener(at_);
         const std::string meant(spelling(opener));
-        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
+        report_at(at_, DiagnosticId::misspelt_word, {text(at_), meant})
             .replace(token().range(), meant);
         change_unclosed(closer_of(opener), 1);
     }
@@ -97,8 +97,7 @@ bool Parser::accept_split_opener() {
         return false;
     const TextRange words = token_range(at_, second + 1);
     const std::string meant(spelling(TokenKind::kw_function_block));
-    report(DiagnosticId::misspelt_word, words,
-           {std::string(text_.substr(words.begin, words.size())), meant})
+    report(DiagnosticId::misspelt_word, words, {text_.substr(words.begin, words.size()), meant})
         .replace(words, meant);
     advance();
     return true;

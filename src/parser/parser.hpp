@@ -53,6 +53,12 @@ public:
     Parser(std::string_view text, std::span<Token> tokens, std::span<const Diagnostic> lexical,
            std::uint32_t opener, ParserArena& arena, const ParseOptions& options);
 
+    /// Says that as many blocks of each kind begin as are closed, so that nobody counts them again.
+    void know_balanced() noexcept {
+        balances_known_ = true;
+        balanced_ = true;
+    }
+
     // ---- library.cpp: B.0
     const ast::LibraryUnit* parse_library_unit();
 
@@ -146,6 +152,7 @@ private:
             memory = allocate_from_reserve(sizeof(T), alignof(T));
         return ::new (memory) T();
     }
+    void make_room_for_pending();
     void* allocate_from_reserve(std::size_t size, std::size_t alignment);
     template<class T>
     T* make() {
@@ -248,8 +255,8 @@ private:
         ~ListBuilder() { parser_.pending_count_ = begin_; }
 
         void add(const T* node) {
-            if (parser_.pending_count_ == parser_.pending_.size())
-                parser_.pending_.resize(2 * parser_.pending_count_ + 64);
+            if (parser_.pending_count_ == parser_.pending_room_) [[unlikely]]
+                parser_.make_room_for_pending();
             parser_.pending_[parser_.pending_count_++] = node;
         }
         [[nodiscard]] bool empty() const noexcept { return size() == 0; }
@@ -318,7 +325,11 @@ private:
         Parser& parser_;
         std::optional<std::size_t> index_;
     };
-    using Arguments = std::vector<DiagnosticArgument>;
+    /// For a message, like `DiagnosticArgument`; but words are only copied when the report is made,
+    /// and what holds them has to live until then.
+    using Argument = std::variant<std::string_view, std::uint64_t, char32_t>;
+    using Arguments = std::initializer_list<Argument>;
+    [[nodiscard]] static DiagnosticArgument copied(const Argument& argument);
 
     Report report(DiagnosticId id, TextRange range, Arguments arguments = {});
     /// About one token. A second report at a token is suppressed: one problem, one report.
@@ -1084,6 +1095,7 @@ private:
     const ParseOptions& options_;
     std::vector<const ast::Node*> pending_; // of unfinished lists, the first `pending_count_`
     std::size_t pending_count_ = 0;
+    std::size_t pending_room_ = 0;
     std::vector<Diagnostic> diagnostics_;
     const std::vector<Diagnostic>* expected_ = nullptr; // see expect_reports()
     std::optional<std::uint32_t> stopped_at_;

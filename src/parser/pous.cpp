@@ -208,8 +208,7 @@ Parser::Children<ast::VariableDeclarations> Parser::parse_declaration_blocks(Pla
                 return blocks.finish();
         } else if (at(TokenKind::kw_end_var)) {
             // The block has ended already, or its opening word is missing.
-            report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
-                .remove(token().range());
+            report_at(at_, DiagnosticId::stray_closing_word, {text(at_)}).remove(token().range());
             advance();
         } else if (at_foreign_member()) {
             skip_foreign_member();

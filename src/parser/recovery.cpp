@@ -1,3 +1,4 @@
+#include "lexer/block_words.hpp"
 #include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
@@ -5,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace iecfront {
 namespace {
@@ -17,40 +19,6 @@ constexpr TokenSet block_words =
 
 // What can follow a name, or the first of several, in a declaration of variables.
 constexpr TokenSet after_names{TokenKind::colon, TokenKind::comma, TokenKind::kw_at};
-
-struct BlockWords {
-    TokenKind opener;
-    TokenKind closer;
-};
-
-// What opens what is closed by a word of its own. Several openers can share a closing word.
-constexpr BlockWords block_pairs[] = {
-    {TokenKind::kw_type, TokenKind::kw_end_type},
-    {TokenKind::kw_function, TokenKind::kw_end_function},
-    {TokenKind::kw_function_block, TokenKind::kw_end_function_block},
-    {TokenKind::kw_program, TokenKind::kw_end_program},
-    {TokenKind::kw_configuration, TokenKind::kw_end_configuration},
-    {TokenKind::kw_resource, TokenKind::kw_end_resource},
-    {TokenKind::kw_struct, TokenKind::kw_end_struct},
-    {TokenKind::kw_var, TokenKind::kw_end_var},
-    {TokenKind::kw_var_input, TokenKind::kw_end_var},
-    {TokenKind::kw_var_output, TokenKind::kw_end_var},
-    {TokenKind::kw_var_in_out, TokenKind::kw_end_var},
-    {TokenKind::kw_var_temp, TokenKind::kw_end_var},
-    {TokenKind::kw_var_external, TokenKind::kw_end_var},
-    {TokenKind::kw_var_global, TokenKind::kw_end_var},
-    {TokenKind::kw_var_access, TokenKind::kw_end_var},
-    {TokenKind::kw_var_config, TokenKind::kw_end_var},
-    {TokenKind::kw_if, TokenKind::kw_end_if},
-    {TokenKind::kw_case, TokenKind::kw_end_case},
-    {TokenKind::kw_for, TokenKind::kw_end_for},
-    {TokenKind::kw_while, TokenKind::kw_end_while},
-    {TokenKind::kw_repeat, TokenKind::kw_end_repeat},
-    {TokenKind::kw_initial_step, TokenKind::kw_end_step},
-    {TokenKind::kw_step, TokenKind::kw_end_step},
-    {TokenKind::kw_transition, TokenKind::kw_end_transition},
-    {TokenKind::kw_action, TokenKind::kw_end_action},
-};
 
 /// `END_INITIAL_STEP` for END_STEP, `END_VAR_INPUT` for END_VAR.
 bool is_made_of_opener(std::string_view word, TokenKind closer) noexcept {
@@ -95,12 +63,14 @@ void Parser::find_balances() noexcept {
     std::array<std::int32_t, token_kind_count> tokens{};
     for (std::uint32_t i = 0; i < count_; ++i)
         ++tokens[static_cast<std::size_t>(tokens_[i].kind())];
-    for (const BlockWords& words : block_pairs)
+    for (const BlockWords& words : block_pairs) {
+        std::int32_t& closed = tokens[static_cast<std::size_t>(words.closer)];
         unclosed_[static_cast<std::size_t>(words.closer)] +=
-            tokens[static_cast<std::size_t>(words.opener)];
-    for (std::size_t i = 0; i < unclosed_.size(); ++i)
-        unclosed_[i] -= closers.contains(static_cast<TokenKind>(i)) ? tokens[i] : 0;
-    balanced_ = std::ranges::all_of(unclosed_, [](std::int32_t one) { return one == 0; });
+            tokens[static_cast<std::size_t>(words.opener)] - std::exchange(closed, 0);
+    }
+    balanced_ = std::ranges::all_of(block_pairs, [this](const BlockWords& words) {
+        return unclosed_[static_cast<std::size_t>(words.closer)] == 0;
+    });
 }
 
 void Parser::change_unclosed(TokenKind closer, std::int32_t by) noexcept {
@@ -255,7 +225,7 @@ void Parser::report_missing_closer(std::string_view terminator) {
         diagnostics_.pop_back(); // it lacks both, which is one mistake
         gap = " ; ";
     }
-    report_missing(DiagnosticId::missing_closing_word, {closer, std::string(text(block.opener))})
+    report_missing(DiagnosticId::missing_closing_word, {closer, text(block.opener)})
         .label(LabelId::opened_here, block.opener)
         .insert(previous_end(), gap + closer + std::string(terminator));
     change_unclosed(block.closer, -1);
@@ -317,13 +287,13 @@ void Parser::close_doubtful_block(std::string_view terminator) {
         const TextRange words = token_range(first, at_ + 1);
         if (!tokens_[first].malformed()) // else it was reported
             report(DiagnosticId::misspelt_word, words,
-                   {std::string(text_.substr(words.begin, words.size())), std::string(closer)})
+                   {text_.substr(words.begin, words.size()), closer})
                 .replace(words, std::string(closer));
         advance();
         change_unclosed(block.closer, -1);
     } else if (at_mismatched_closer() || at_unknown_closer_for_innermost()) {
         report_at(at_, DiagnosticId::mismatched_closing_word,
-                  {std::string(text(at_)), std::string(text(block.opener)), std::string(closer)})
+                  {text(at_), text(block.opener), closer})
             .label(LabelId::opened_here, block.opener)
             .replace(token().range(), std::string(closer));
         change_unclosed(block.closer, -1);
@@ -509,8 +479,7 @@ void Parser::drop_word_before_declaration(std::string_view what) {
     if (at(TokenKind::identifier) || peek() != TokenKind::identifier ||
         !after_names.contains(peek_second()) || end_of_declaration_with_stray_word() == at_)
         return;
-    report_at(at_, DiagnosticId::not_a_declaration, {std::string(what), describe(at_)})
-        .remove(token().range());
+    report_at(at_, DiagnosticId::not_a_declaration, {what, describe(at_)}).remove(token().range());
     count_as_name(kind());
     advance();
 }
@@ -538,8 +507,7 @@ void Parser::report_left_out_semicolon() {
     const bool behind = end_ > 0 && tokens_[end_ - 1].kind() == TokenKind::kw_end_struct;
     if (behind || (at(closers) && is_open(kind()))) {
         const std::uint32_t word = behind ? end_ - 1 : at_;
-        report_missing(DiagnosticId::semicolon_left_out,
-                       {behind ? "behind" : "before", std::string(text(word))})
+        report_missing(DiagnosticId::semicolon_left_out, {behind ? "behind" : "before", text(word)})
             .insert(previous_end(), ";");
         return;
     }

@@ -22,6 +22,7 @@ struct ParserInput {
     std::span<Token> tokens;             // the last one is end_of_unit
     std::span<const Diagnostic> lexical; // what the lexer reported, ordered by place
     std::uint32_t opener;
+    bool balanced; // see UnitCut
     const ParseOptions& options;
 };
 

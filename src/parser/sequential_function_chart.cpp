@@ -167,7 +167,7 @@ void Parser::open_chart_element(TokenKind opener) {
             const bool split = peek() == TokenKind::kw_step;
             const TextRange words = token_range(first, split ? next(at_) + 1 : at_ + 1);
             report(DiagnosticId::misspelt_word, words,
-                   {std::string(text_.substr(words.begin, words.size())), word})
+                   {text_.substr(words.begin, words.size()), word})
                 .replace(words, word);
             change_unclosed(closer, split ? -1 : 0);
             if (split)
@@ -215,8 +215,7 @@ bool Parser::skip_chart_element() {
 const ast::SkippedText* Parser::skip_text_in_chart() {
     auto* skipped = make<ast::SkippedText>();
     if (at(chart_closers)) {
-        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
-            .remove(token().range());
+        report_at(at_, DiagnosticId::stray_closing_word, {text(at_)}).remove(token().range());
         advance();
         return finish(skipped);
     }
@@ -418,7 +417,7 @@ const ast::ActionQualifier* Parser::parse_action_qualifier() {
         node->time = parse_time_of_qualifier();
     } else if (duration && known) {
         report(DiagnosticId::time_of_untimed_qualifier, tokens_[next(at_)].range(),
-               {std::string(text(qualifier))})
+               {text(qualifier)})
             .remove(token_range(at_, next(at_) + 1));
         advance();
         advance();
@@ -430,8 +429,7 @@ const ast::ActionQualifier* Parser::parse_action_qualifier() {
 }
 
 void Parser::report_unknown_qualifier() {
-    Report unknown =
-        report_at(at_, DiagnosticId::unknown_action_qualifier, {std::string(text(at_))});
+    Report unknown = report_at(at_, DiagnosticId::unknown_action_qualifier, {text(at_)});
     if (const std::string_view meant = meant_qualifier(text(at_)); !meant.empty())
         unknown.replace(token().range(), std::string(meant));
 }
@@ -473,7 +471,7 @@ const ast::Expression* Parser::parse_parameter_of_action(std::string_view what) 
         expression->kind == ast::NodeKind::variable_name)
         return expression;
     if (ast::is<ast::Constant>(expression->kind)) {
-        report_node(*expression, DiagnosticId::unexpected_token, {std::string(what), "a constant"});
+        report_node(*expression, DiagnosticId::unexpected_token, {what, "a constant"});
         return expression;
     }
     const char* found = nullptr;
@@ -483,7 +481,7 @@ const ast::Expression* Parser::parse_parameter_of_action(std::string_view what) 
     case ast::NodeKind::direct_variable: found = "a directly represented variable"; break;
     default: found = "an expression"; break;
     }
-    report_node(*expression, DiagnosticId::parameter_of_action, {found, std::string(what)});
+    report_node(*expression, DiagnosticId::parameter_of_action, {found, what});
     return expression;
 }
 
@@ -585,7 +583,7 @@ const ast::Expression* Parser::parse_optional_priority() {
 void Parser::expect_priority_word() {
     if (!at_word("PRIORITY")) {
         if (is_misspelling(text(at_), "PRIORITY"))
-            report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), "PRIORITY"})
+            report_at(at_, DiagnosticId::misspelt_word, {text(at_), "PRIORITY"})
                 .replace(token().range(), "PRIORITY");
         else
             report_unexpected("`PRIORITY`").replace(token().range(), "PRIORITY");
@@ -654,8 +652,7 @@ bool Parser::accept_misspelt_part(TokenKind word) {
     const std::string meant(spelling(word));
     if (!at(TokenKind::identifier) || !step || !is_misspelling(text(at_), meant))
         return false;
-    report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
-        .replace(token().range(), meant);
+    report_at(at_, DiagnosticId::misspelt_word, {text(at_), meant}).replace(token().range(), meant);
     advance();
     return true;
 }

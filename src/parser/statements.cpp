@@ -36,8 +36,7 @@ const ast::StatementList* Parser::parse_statement_list(std::string_view where) {
 }
 
 void Parser::report_empty_list(std::string_view where) {
-    report_missing(DiagnosticId::empty_statement_list, {std::string(where)})
-        .insert(previous_end(), " ;");
+    report_missing(DiagnosticId::empty_statement_list, {where}).insert(previous_end(), " ;");
 }
 
 // Part of statement_list: { statement ";" }
@@ -311,7 +310,7 @@ void Parser::skip_stray_word(bool first_in_list) {
         open_.back().in_else && (at(TokenKind::kw_else) || at(TokenKind::kw_elsif));
     Report stray = after_else
                        ? report_unexpected("`" + std::string(spelling(open_.back().closer)) + "`")
-                       : report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
+                       : report_at(at_, DiagnosticId::stray_closing_word, {text(at_)});
     if (at_split_closer())
         advance();
     const bool has_condition = at(TokenKind::kw_elsif) || at(TokenKind::kw_until);
@@ -344,8 +343,7 @@ const ast::ErrorStatement* Parser::expect_semicolon_of_statement(const ast::Stat
     const bool statement_follows =
         at_statement_start() && (is_keyword(kind()) || peek() == TokenKind::assign);
     if (at(statement_closers) && !is_open(kind()) && tokens_[end_ - 1].kind() == kind()) {
-        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))})
-            .remove(token().range());
+        report_at(at_, DiagnosticId::stray_closing_word, {text(at_)}).remove(token().range());
         advance();
         accept(TokenKind::semicolon);
         return nullptr;
@@ -589,7 +587,7 @@ const ast::Statement* Parser::parse_simple_statement() {
 const ast::Statement* Parser::as_word_statement(const ast::Expression& name) {
     const std::string word(text(name.first_token));
     const auto report_misspelt = [&](TokenKind meant) {
-        report_node(name, DiagnosticId::misspelt_word, {word, std::string(spelling(meant))})
+        report_node(name, DiagnosticId::misspelt_word, {word, spelling(meant)})
             .replace(tokens_[name.first_token].range(), std::string(spelling(meant)));
     };
     if (is_misspelling(word, spelling(TokenKind::kw_return))) {
@@ -652,7 +650,7 @@ const ast::Statement* Parser::parse_compound_assignment(const ast::Expression* v
     const std::string meant = ":= " + std::string(text_.substr(name.begin, name.size())) + " " +
                               std::string(text(at_)) + (with_operand ? "" : " 1");
     Report compound = report(DiagnosticId::foreign_operator, range,
-                             {std::string(text_.substr(range.begin, range.size())), meant});
+                             {text_.substr(range.begin, range.size()), meant});
     advance();
     advance();
     node->variable = variable;
@@ -706,7 +704,7 @@ void Parser::expect_missing_assign() {
     if (at(firsts) && (reversed || repeated)) { // `=:`, `= =` and `===`
         const TextRange range = token_range(at_, next(at_) + 1);
         report(DiagnosticId::foreign_operator, range,
-               {std::string(text_.substr(range.begin, range.size())), ":="})
+               {text_.substr(range.begin, range.size()), ":="})
             .replace(range, ":=");
         advance();
         advance();
@@ -719,7 +717,7 @@ void Parser::expect_missing_assign() {
         advance();
         advance();
     } else if (at(TokenKind::equal_equal)) {
-        report_at(at_, DiagnosticId::foreign_operator, {std::string(text(at_)), ":="})
+        report_at(at_, DiagnosticId::foreign_operator, {text(at_), ":="})
             .replace(token().range(), ":=");
         advance();
     } else if (at(TokenKind::colon) || at(TokenKind::output_arrow)) {
@@ -821,7 +819,7 @@ void Parser::skip_early_end_if() {
 const ast::Statement* Parser::parse_if_without_head() {
     auto* node = make<ast::IfStatement>();
     if (!report_missing_head(TokenKind::kw_end_if))
-        report_at(at_, DiagnosticId::stray_closing_word, {std::string(text(at_))});
+        report_at(at_, DiagnosticId::stray_closing_word, {text(at_)});
     change_unclosed(TokenKind::kw_end_if, 1);
     open_block(TokenKind::kw_end_if, at_);
     node->condition = make_missing<ast::ErrorExpression>();
@@ -856,7 +854,7 @@ void Parser::open_statement(TokenKind opener, TokenKind closer) {
         if (two_operands || opener == TokenKind::kw_repeat) {
             // Two operands in a row: the first stands for the word.
             (is_misspelling(text(at_), word)
-                 ? report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), word})
+                 ? report_at(at_, DiagnosticId::misspelt_word, {text(at_), word})
                  : report_unexpected("`" + word + "`"))
                 .replace(token().range(), word);
             advance();
@@ -913,7 +911,7 @@ const ast::ElsifClause* Parser::parse_elsif_clause() {
         given = false;
     } else if (at(TokenKind::identifier)) {
         const std::string meant(spelling(TokenKind::kw_elsif));
-        report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
+        report_at(at_, DiagnosticId::misspelt_word, {text(at_), meant})
             .replace(token().range(), meant);
     }
     if (given)
@@ -1423,8 +1421,7 @@ bool Parser::accept_misspelt_word(TokenKind word) {
           (meant.size() > 2 && !at_statement_start())) ||
         !is_misspelling(text(at_), meant))
         return false;
-    report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), meant})
-        .replace(token().range(), meant);
+    report_at(at_, DiagnosticId::misspelt_word, {text(at_), meant}).replace(token().range(), meant);
     advance();
     return true;
 }

@@ -43,7 +43,7 @@ const ast::DataTypeDeclaration* Parser::parse_data_type_declaration() {
 /// Of an empty block that lacks its closing word as well, only that is said.
 void Parser::report_empty_block(std::uint32_t opener) {
     if (at(open_.back().closer))
-        report(DiagnosticId::empty_block, tokens_[opener].range(), {std::string(text(opener))});
+        report(DiagnosticId::empty_block, tokens_[opener].range(), {text(opener)});
 }
 
 /// In place of type_declaration, var_init_decl, structure_element_declaration: passes over what
@@ -54,7 +54,7 @@ const ast::ErrorDeclaration* Parser::parse_error_declaration(std::string_view wh
         accept_extra_semicolon();
         return finish(error);
     }
-    report_at(at_, DiagnosticId::not_a_declaration, {std::string(what), describe(at_)});
+    report_at(at_, DiagnosticId::not_a_declaration, {what, describe(at_)});
     advance();
     skip_declaration();
     accept(TokenKind::semicolon);
@@ -276,7 +276,7 @@ const ast::TypeSpecification* Parser::parse_pointer_type() {
     if (guard.too_deep())
         return parse_too_deep_type();
     auto* node = make<ast::ErrorType>();
-    report_at(at_, DiagnosticId::pointer_type, {std::string(text(at_))});
+    report_at(at_, DiagnosticId::pointer_type, {text(at_)});
     advance();
     accept(TokenKind::kw_to);
     parse_type_specification();
@@ -295,7 +295,7 @@ const ast::TypeSpecification* Parser::parse_pointer_type() {
 const ast::TypeSpecification* Parser::parse_elementary_type() {
     const TokenKind type = kind();
     if (is_generic_type_name(type))
-        report_at(at_, DiagnosticId::generic_type_in_declaration, {std::string(text(at_))});
+        report_at(at_, DiagnosticId::generic_type_in_declaration, {text(at_)});
     const auto* node = take<ast::ElementaryTypeName>();
     const bool string = string_type_names.contains(type);
     if (string && (at(TokenKind::left_bracket) || at(TokenKind::left_parenthesis)))
@@ -619,8 +619,7 @@ void Parser::check_element_type(const ast::TypeSpecification& type) {
 /// Elements are of data types. Of the names that a program gives it is not known what they are.
 void Parser::check_no_function_block(const ast::TypeSpecification& type, const char* of) {
     if (names_function_block(type))
-        report_node(type, DiagnosticId::function_block_as_element,
-                    {std::string(text(type.first_token)), of});
+        report_node(type, DiagnosticId::function_block_as_element, {text(type.first_token), of});
 }
 
 /// In place of array_specification, structure_declaration: passes over one that is nested too deep.
@@ -1007,7 +1006,7 @@ void Parser::check_enumerated_value_names(std::uint32_t token) {
         const auto begin = static_cast<std::uint32_t>(name.data() - text_.data());
         const TextRange range{begin, begin + static_cast<std::uint32_t>(name.size())};
         if (keyword_kind(name) != TokenKind::identifier)
-            report(DiagnosticId::reserved_word_as_name, range, {std::string(name)})
+            report(DiagnosticId::reserved_word_as_name, range, {name})
                 .replace(range, std::string(name) + "_1");
         else
             check_name_of_standard(range, hash_name(name), NameUse::other);

@@ -49,6 +49,8 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
 [[nodiscard]] Reading read(const ParserInput& input, ParserArena& arena) {
     const std::size_t kept = arena.used();
     Parser parser(input.text, input.tokens, input.lexical, input.opener, arena, input.options);
+    if (input.balanced)
+        parser.know_balanced();
     Reading reading{parser.parse_fragment(input.options.read_as), {}};
     reading.reports = parser.take_diagnostics();
     if (arena.full())
@@ -113,7 +115,7 @@ void UnitReader::read_cut() {
     if (options_.read_as != FragmentKind::library) {
         lexer_.read(std::numeric_limits<std::size_t>::max());
         const auto end = static_cast<std::uint32_t>(lexer_.tokens().size() - 1);
-        cut_ = {end, end};
+        cut_ = {end, end, false};
         return;
     }
     for (;;) {
@@ -248,7 +250,7 @@ bool UnitReader::parse_in_room(Unit::Parts& parts) {
     if (lengths_ > options_.maximum_identifier_length)
         report_long_identifier(tokens, options_.maximum_identifier_length, lexical);
     sort_by_place(lexical);
-    Reading reading = read({parts.text, tokens, lexical, opener(), options_}, room_);
+    Reading reading = read({parts.text, tokens, lexical, opener(), cut_.balanced, options_}, room_);
     if (room_.full())
         return false;
     std::ranges::move(reading.reports, std::back_inserter(lexical));

@@ -87,7 +87,7 @@ private:
     std::uint32_t begin_ = 0;
     std::uint32_t end_ = 0;
     std::uint32_t token_ = 0;
-    UnitCut cut_{0, 0};
+    UnitCut cut_{0, 0, false};
     std::size_t trivia_ = 0;
     std::size_t trivia_end_ = 0;
     std::size_t diagnostic_ = 0;

@@ -253,7 +253,7 @@ void Parser::parse_block_head(ast::VariableDeclarations& block, Place place) {
         block.block = block_of(meant);
         accept_misspelt(meant);
     } else if (at_unknown_block()) {
-        report_at(at_, DiagnosticId::unknown_block, {std::string(text(at_))})
+        report_at(at_, DiagnosticId::unknown_block, {text(at_)})
             .replace(token().range(), std::string(spelling(opener_of(block.block))));
         advance();
     } else {
@@ -277,8 +277,7 @@ void Parser::report_swapped(std::uint32_t second, std::string_view between) {
 /// Takes a misspelt keyword.
 void Parser::accept_misspelt(TokenKind meant) {
     const std::string word(spelling(meant));
-    report_at(at_, DiagnosticId::misspelt_word, {std::string(text(at_)), word})
-        .replace(token().range(), word);
+    report_at(at_, DiagnosticId::misspelt_word, {text(at_), word}).replace(token().range(), word);
     advance();
 }
 
@@ -297,7 +296,7 @@ TokenKind Parser::accept_split_block_opener() {
             continue;
         const TextRange words = token_range(at_, second + 1);
         report(DiagnosticId::misspelt_word, words,
-               {std::string(text_.substr(words.begin, words.size())), std::string(spelling(meant))})
+               {text_.substr(words.begin, words.size()), spelling(meant)})
             .replace(words, std::string(spelling(meant)));
         advance();
         return meant;
@@ -317,8 +316,7 @@ ast::BlockQualifier Parser::parse_block_qualifiers() {
         default:
             if (!at_unknown_qualifier())
                 return qualifier;
-            report_at(at_, DiagnosticId::unknown_qualifier, {std::string(text(at_))})
-                .remove(token().range());
+            report_at(at_, DiagnosticId::unknown_qualifier, {text(at_)}).remove(token().range());
             advance();
             continue;
         }
@@ -376,10 +374,9 @@ void Parser::check_block(const ast::VariableDeclarations& block, std::uint32_t q
     }
     if (!fits && place == Place::function &&
         (block.block == VariableBlock::var_external || block.block == VariableBlock::var_temp))
-        report_at(opener, DiagnosticId::block_in_function, {std::string(text(opener))});
+        report_at(opener, DiagnosticId::block_in_function, {text(opener)});
     else if (!fits)
-        report_at(opener, DiagnosticId::block_not_in_this_unit,
-                  {std::string(text(opener)), std::string(where)});
+        report_at(opener, DiagnosticId::block_not_in_this_unit, {text(opener), where});
     else
         check_qualifier(block, qualifier, place);
 }
@@ -397,7 +394,7 @@ void Parser::check_qualifier(const ast::VariableDeclarations& block, std::uint32
     if (fits)
         return;
     report_at(qualifier, DiagnosticId::qualifier_of_block,
-              {std::string(text(qualifier)), std::string(text(block.first_token))});
+              {text(qualifier), text(block.first_token)});
 }
 
 // ---- declarations -------------------------------------------------------------------------------
@@ -744,8 +741,7 @@ void Parser::check_location(const ast::VariableDeclaration& declaration,
     const bool var = block.block == VariableBlock::var;
     const bool global = block.block == VariableBlock::var_global;
     if (!var && !global)
-        report_node(location, DiagnosticId::name_with_location,
-                    {std::string(text(block.first_token))});
+        report_node(location, DiagnosticId::name_with_location, {text(block.first_token)});
     else if (incomplete && (global || place == Place::function))
         report_node(location, DiagnosticId::incomplete_location);
     else if (incomplete && declaration.names.empty())
@@ -782,8 +778,7 @@ void Parser::check_mixed(const ast::VariableDeclarations& block) {
             first = declaration;
         if (form(*declaration) == form(*first))
             continue;
-        report_node(*declaration, DiagnosticId::mixed_block,
-                    {std::string(form(*first)), std::string(form(*declaration))})
+        report_node(*declaration, DiagnosticId::mixed_block, {form(*first), form(*declaration)})
             .label(LabelId::first_given, first->first_token);
         return;
     }

@@ -1,8 +1,12 @@
+#include "lexer/block_words.hpp"
 #include "lexer/lexer.hpp"
 #include "lexer/unit_cutter.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,12 +15,26 @@ using namespace iecfront;
 
 namespace {
 
+// Counted in the unit itself, as the parser does when nobody has told it.
+bool is_balanced(std::span<const Token> unit) {
+    std::map<TokenKind, int> unclosed; // by closing word
+    for (const BlockWords& words : block_pairs)
+        for (const Token token : unit)
+            unclosed[words.closer] += token.kind() == words.opener ? 1 : 0;
+    for (const Token token : unit)
+        if (unclosed.contains(token.kind()))
+            --unclosed[token.kind()];
+    return std::ranges::all_of(unclosed, [](const auto& one) { return one.second == 0; });
+}
+
 std::vector<UnitCut> checked_cuts(const LexedText& lexed) {
     const std::vector<UnitCut> cuts = cut_units(lexed.tokens);
     EXPECT_FALSE(cuts.empty());
     std::uint32_t last = 0;
     for (const UnitCut& cut : cuts) {
         EXPECT_TRUE(cut.end_token > last || cuts.size() == 1);
+        EXPECT_EQ(cut.balanced,
+                  is_balanced(std::span(lexed.tokens).subspan(last, cut.end_token - last)));
         last = cut.end_token;
     }
     EXPECT_EQ(last, lexed.tokens.size() - 1);
@@ -36,7 +54,7 @@ std::vector<UnitCut> cuts_of_growing_row(std::span<const Token> tokens) {
             continue;
         }
         const auto moved = static_cast<std::uint32_t>(dropped);
-        cuts.push_back({cut->end_token + moved, cut->opener + moved});
+        cuts.push_back({cut->end_token + moved, cut->opener + moved, cut->balanced});
         cutter.drop(cut->end_token);
         dropped += cut->end_token;
     }
@@ -46,7 +64,8 @@ std::vector<UnitCut> cuts_of_growing_row(std::span<const Token> tokens) {
 std::string as_text(const std::vector<UnitCut>& cuts) {
     std::string text;
     for (const UnitCut& cut : cuts)
-        text += std::to_string(cut.opener) + ".." + std::to_string(cut.end_token) + " ";
+        text += std::to_string(cut.opener) + ".." + std::to_string(cut.end_token) +
+                (cut.balanced ? " " : "! ");
     return text;
 }
 
@@ -235,6 +254,8 @@ TEST(UnitCutter, AnyWordsAreCutIntoRowsOfUnits) {
                                           "VAR_GLOBAL ",
                                           "VAR ",
                                           "END_VAR ",
+                                          "IF ",
+                                          "END_IF ",
                                           "x ",
                                           ": ",
                                           ":= ",
