@@ -84,56 +84,23 @@ private:
     };
 
     const char* read_until(std::size_t count);
+    [[nodiscard]] static bool word_goes_on(const char* end) noexcept;
+    [[nodiscard]] static bool number_goes_on(const char* begin, const char* end) noexcept;
 
-    // Each takes the place where something begins, and gives the place behind it.
+    // Each of these takes the place where something begins, makes tokens or trivia of it, and gives
+    // the place behind it; some give null when there is no such thing.
+
+    // ---- lexer_words.cpp
     const char* odd_word(const char* begin);
     const char* plain_word(const char* begin, const char* end);
-    const char* prefixed(const char* begin, const char* prefix_end);
-    const char* long_number(const char* begin);
-    const char* integer(const char* begin, const char* end);
-    const char* number_with_point(const char* begin, const char* point);
-    const char* number_with_exponent(const char* begin, const char* letter);
-    const char* digit_first_word(const char* begin, const char* end);
-    const char* duration_without_prefix(const char* begin, const char* end);
-    const char* c_style_integer(const char* begin, const char* end);
-    const char* hexadecimal_of_other_language(const char* begin, const char* end);
-    const char* with_pound_sign(const char* begin, const char* end);
-    const char* number_before_keyword(TokenKind kind, const char* begin, const char* end);
-    [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;
-    const char* string(const char* begin);
-    const char* part_selector(const char* begin);
-    const char* location(const char* begin);
-    [[nodiscard]] const char* end_behind_inner_quote(const char* end);
-    const char* unclosed_string(const char* begin, const char* end);
-    [[nodiscard]] bool is_stray_quote(const char* begin) const;
-    const char* number_sign(const char* begin);
-    const char* dot(const char* begin);
-    const char* stray_comment_end(const char* begin);
-    const char* caret(const char* begin);
-    const char* left_parenthesis(const char* begin);
-    const char* comment(const char* begin);
-    const char* line_comment(const char* begin);
-    const char* c_comment(const char* begin);
-    const char* end_of_nested_braces(const char* begin);
-    const char* pragma(const char* begin);
-    const char* stray_pragma_end(const char* begin);
-    const char* unexpected(const char* begin);
-    const char* operator_of_other_language(const char* begin);
-    const char* typographic_string(const char* begin, const DecodedCharacter& opening);
-    const char* look_alike(const char* begin, const DecodedCharacter& character);
-    const char* non_ascii(const char* begin);
-
-    const char* delimiter(TokenKind kind, const char* begin, std::uint32_t size) {
-        emit(kind, begin, begin + size);
-        return begin + size;
-    }
     const char* identifier(const char* begin, const char* end);
-    const char* literal(TokenKind kind, const char* begin, const char* end);
-    const char* literal_with_gaps(TokenKind kind, const char* begin, const char* end);
-    void report_type_of_literal(const char* begin, const char* prefix_end, const char* end);
-    const char* spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps);
-    [[nodiscard]] static Gaps gaps_of(std::initializer_list<TextRange> ranges);
-    [[nodiscard]] Gaps take_back_gaps(Token literal);
+    bool check_word(const char* begin, const char* end);
+    bool report_parted_keyword(const char* begin, const char* end);
+    void check_underscores(const char* begin, const char* end);
+    bool check_foreign_letters(const char* begin, const char* end);
+
+    // ---- lexer_literals.cpp
+    const char* prefixed(const char* begin, const char* prefix_end);
     const char* found_literal(const char* begin, const char* prefix_end, const Found& found);
     bool find_prefixed(const char* begin, const char* prefix_end, Found& found) const;
     bool find_based(const char* begin, const char* prefix_end, const char* body,
@@ -141,23 +108,71 @@ private:
     bool find_of_named_type(std::string_view prefix, const char* body, Found& found) const;
     [[nodiscard]] bool can_begin_value(TokenKind kind, std::string_view prefix,
                                        const char* body) const;
-    [[nodiscard]] bool ends_operand(Token token, const char* next) const;
+    void report_type_of_literal(const char* begin, const char* prefix_end, const char* end);
+    const char* literal(TokenKind kind, const char* begin, const char* end);
+    const char* literal_with_gaps(TokenKind kind, const char* begin, const char* end);
+    const char* spaced_literal(TokenKind kind, const char* begin, const char* end, Gaps gaps);
+    [[nodiscard]] static Gaps gaps_of(std::initializer_list<TextRange> ranges);
+    [[nodiscard]] Gaps take_back_gaps(Token literal);
+    const char* with_pound_sign(const char* begin, const char* end);
+    const char* number_sign(const char* begin);
     [[nodiscard]] bool can_be_prefix(Token token) const;
 
-    bool check_word(const char* begin, const char* end);
-    bool report_parted_keyword(const char* begin, const char* end);
-    void check_underscores(const char* begin, const char* end);
-    bool check_foreign_letters(const char* begin, const char* end);
-    const char* find_comment_end(const char* begin);
-    const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
+    // ---- lexer_numbers.cpp
+    const char* long_number(const char* begin);
+    const char* integer(const char* begin, const char* end);
+    const char* number_with_point(const char* begin, const char* point);
+    const char* number_with_exponent(const char* begin, const char* letter);
+    [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;
+    const char* duration_without_prefix(const char* begin, const char* end);
+    const char* c_style_integer(const char* begin, const char* end);
+    const char* hexadecimal_of_other_language(const char* begin, const char* end);
+    const char* number_before_keyword(TokenKind kind, const char* begin, const char* end);
+    const char* digit_first_word(const char* begin, const char* end);
+
+    // ---- lexer_strings.cpp
+    const char* string(const char* begin);
+    const char* unclosed_string(const char* begin, const char* end);
+    [[nodiscard]] bool is_stray_quote(const char* begin) const;
+    [[nodiscard]] const char* end_behind_inner_quote(const char* end);
+
+    // ---- lexer_locations.cpp
+    const char* part_selector(const char* begin);
+    const char* location(const char* begin);
+
+    // ---- lexer_delimiters.cpp
+    [[nodiscard]] bool ends_operand(Token token, const char* next) const;
+    const char* dot(const char* begin);
+    const char* stray_comment_end(const char* begin);
+    const char* caret(const char* begin);
+    const char* non_ascii(const char* begin);
+    const char* typographic_string(const char* begin, const DecodedCharacter& opening);
+    const char* look_alike(const char* begin, const DecodedCharacter& character);
+    const char* operator_of_other_language(const char* begin);
+    const char* unexpected(const char* begin);
+
+    // ---- lexer_comments.cpp
+    const char* line_end(const char* begin);
+    // What begins at `begin` depends on all that stands before and at `last`.
+    void note_open_end(const char* begin, const char* last);
     const char* end_of_first_line(const char* begin, DiagnosticId fault, std::string_view opening,
                                   std::string_view closing);
     const char* end_of_prose(const char* begin, std::string_view opening, std::string_view closing);
-    const char* line_end(const char* begin);
+    const char* find_comment_end(const char* begin);
+    const char* left_parenthesis(const char* begin);
+    const char* comment(const char* begin);
+    const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
+    const char* line_comment(const char* begin);
+    const char* c_comment(const char* begin);
+    const char* end_of_nested_braces(const char* begin);
+    const char* pragma(const char* begin);
+    const char* stray_pragma_end(const char* begin);
 
-    [[nodiscard]] static bool word_goes_on(const char* end) noexcept;
-    [[nodiscard]] static bool number_goes_on(const char* begin, const char* end) noexcept;
-
+    // ---- lexer.cpp: tokens
+    const char* delimiter(TokenKind kind, const char* begin, std::uint32_t size) {
+        emit(kind, begin, begin + size);
+        return begin + size;
+    }
     void emit(TokenKind kind, const char* begin, const char* end, bool malformed = false);
     // The same, inlined where most tokens are made.
     void put(TokenKind kind, const char* begin, const char* end, bool malformed = false) {
@@ -185,8 +200,6 @@ private:
         add_replacement(diagnostic, gap);
     }
     Token take_back();
-    // What begins at `begin` depends on all that stands before and at `last`.
-    void note_open_end(const char* begin, const char* last);
     // Tokens are written into a row made beforehand, which is longer than what is read.
     void grow_tokens(std::size_t by);
     [[nodiscard]] std::size_t token_count() const noexcept {

@@ -12,7 +12,7 @@
 namespace iecfront::test {
 namespace {
 
-constexpr std::size_t enough = 10'000'000; // for any unit of a test, in bytes
+constexpr std::size_t enough = 1'000'000; // for any unit of a test, in bytes
 
 /// What the parser reads of the unit where `reader` stands.
 struct UnitText {
