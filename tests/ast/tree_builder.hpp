@@ -74,7 +74,7 @@ private:
     static bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r'; }
 
     void cut_words() {
-        parts_.arena = Arena(1U << 16U); // more than any test needs
+        parts_.arena = Arena(10'000 + 100 * parts_.text.size()); // more than any test needs
         std::vector<Token> tokens;
         const std::string_view text = parts_.text;
         for (std::size_t begin = 0; begin < text.size(); ++begin) {

@@ -1,5 +1,6 @@
 #include "support/edit_faults.hpp"
 
+#include "support/sanitized.hpp"
 #include "support/tree_faults.hpp"
 
 #include <iecfront/ast/syntax_tree.hpp>
@@ -19,10 +20,10 @@ namespace {
 constexpr std::size_t small_size = 400;
 /// So many edits of one kind at most are tried in a small text: a longer one is edited at every
 /// second place, every third, and so on. Chosen so that all case files take seconds, not minutes.
-constexpr std::size_t places_of_small = 60;
-constexpr std::size_t edits_of_large = 40;
+constexpr std::size_t places_of_small = sanitized ? 15 : 60;
+constexpr std::size_t edits_of_large = sanitized ? 20 : 40;
 constexpr std::size_t edits_in_chain = 24;
-constexpr std::size_t mutations_of_a_kind = 24;
+constexpr std::size_t mutations_of_a_kind = sanitized ? 12 : 24;
 
 /// What changes most about the text behind it.
 constexpr std::array<std::string_view, 20> insertions = {
