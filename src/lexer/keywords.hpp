@@ -83,10 +83,6 @@ inline constexpr std::uint64_t multiplier = find_multiplier();
 
 inline constexpr SlotTable slots = slot_table();
 
-} // namespace keywords
-
-namespace keywords {
-
 // True when `word` is keyword `index`, which has the same size and begins alike.
 [[nodiscard]] bool ends_alike(std::string_view word, std::uint8_t index) noexcept;
 

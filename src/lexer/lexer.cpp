@@ -97,6 +97,7 @@ const char* Lexer::read_until(std::size_t count) {
             p += size_of_indentation(p, end_);
             continue;
         case CharacterClass::word: {
+            static_assert(words::head_size == keywords::head_size);
             const WordShape shape = shape_of_word(p, end_);
             const std::string_view text = view(p, shape.end);
             if (shape.odd || word_goes_on(shape.end)) [[unlikely]] {

@@ -104,7 +104,8 @@ constexpr std::size_t safe_size = 18;
 
 // Closed, of printable ASCII characters, without `$` (B.1.2.2).
 [[nodiscard]] bool is_plain_string(std::string_view text) noexcept {
-    return text.size() >= 2 && text.find(text.front(), 1) == text.size() - 1 &&
+    return text.size() >= 2 && is_quote(text.front()) && // not `STRING#'a'`
+           text.find(text.front(), 1) == text.size() - 1 &&
            std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '$'; });
 }
 

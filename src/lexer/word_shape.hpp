@@ -52,11 +52,32 @@ struct Masks {
     friend bool operator==(const Masks&, const Masks&) = default;
 };
 
-[[nodiscard]] inline Masks masks_one_by_one(const char* bytes) noexcept {
+inline constexpr std::uint64_t ones = 0x0101010101010101U;
+inline constexpr std::uint64_t high_bits = 0x80 * ones;
+
+/// The high bits of those of eight bytes that lie from `first` to `last`; the other bits are of no
+/// use. No byte may have its high bit set.
+[[nodiscard]] constexpr std::uint64_t bytes_between(std::uint64_t bytes, unsigned first,
+                                                    unsigned last) noexcept {
+    return (bytes + (0x80 - first) * ones) & ~(bytes + (0x7F - last) * ones);
+}
+
+/// The high bits of eight bytes side by side.
+[[nodiscard]] constexpr std::uint32_t gathered_high_bits(std::uint64_t bytes) noexcept {
+    // Moves the bit of byte i, counted from the lowest, by 49 - 7i places: to place 56 + i.
+    return static_cast<std::uint32_t>(((bytes & high_bits) >> 7) * 0x0102040810204080U >> 56);
+}
+
+[[nodiscard]] inline Masks masks_by_words(const char* bytes) noexcept {
     Masks masks;
-    for (std::size_t i = 0; i < mask_size; ++i) {
-        masks.parts |= is_word_part(bytes[i]) ? 1U << i : 0U;
-        masks.underscores |= bytes[i] == '_' ? 1U << i : 0U;
+    for (std::size_t i = 0; i < mask_size; i += word_size) {
+        const std::uint64_t word = detail::load_bytes(bytes + i, word_size);
+        const std::uint64_t low = word & ~high_bits;
+        const std::uint64_t letters = bytes_between(low | (high_bits >> 2), 'a', 'z');
+        const std::uint64_t digits = bytes_between(low, '0', '9');
+        const std::uint64_t underscores = bytes_between(low, '_', '_') & ~word;
+        masks.parts |= gathered_high_bits(((letters | digits) & ~word) | underscores) << i;
+        masks.underscores |= gathered_high_bits(underscores) << i;
     }
     return masks;
 }
@@ -78,7 +99,7 @@ struct Masks {
     return {static_cast<std::uint32_t>(_mm_movemask_epi8(parts)),
             static_cast<std::uint32_t>(_mm_movemask_epi8(underscores))};
 #else
-    return masks_one_by_one(bytes);
+    return masks_by_words(bytes);
 #endif
 }
 

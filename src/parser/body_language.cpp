@@ -229,7 +229,7 @@ std::uint32_t Parser::BodySurvey::next_telling(std::uint32_t index) const noexce
 void Parser::BodySurvey::survey() {
     for (std::uint32_t i = begin_;; i = next_telling(i)) {
         const bool begins_line = i == begin_ || parser_.tokens_[i].first_on_line();
-        if (unit_ends.contains(kind(i)) || kind(i) == closer_ || (begins_line && is_decided()))
+        if (unit_ends.contains(kind(i)) || kind(i) == closer_ || is_decided())
             return;
         if (chart_closers.contains(kind(i)) || parser_.begins_chart_element(i)) {
             if (closer_ == TokenKind::kw_end_action && !begins_chart_ &&

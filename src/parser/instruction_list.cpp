@@ -197,8 +197,8 @@ void Parser::report_line_ends(const MissingLineEnds& missing) {
     if (missing.offsets.empty())
         return;
     const std::uint32_t first = missing.offsets.front();
-    const Report one = report(DiagnosticId::parentheses_without_line_end, {first, first},
-                              {std::string(missing.where)});
+    const Report one =
+        report(DiagnosticId::parentheses_without_line_end, {first, first}, {missing.where});
     DiagnosticFix fix;
     for (const std::uint32_t offset : missing.offsets)
         fix.edits.push_back({{offset, offset}, "\n"});

@@ -250,7 +250,7 @@ bool UnitReader::parse_in_room(Unit::Parts& parts) {
     if (lengths_ > options_.maximum_identifier_length)
         report_long_identifier(tokens, options_.maximum_identifier_length, lexical);
     sort_by_place(lexical);
-    Reading reading = read({parts.text, tokens, lexical, opener(), cut_.balanced, options_}, room_);
+    Reading reading = read({parts.text, tokens, lexical, opener(), balanced(), options_}, room_);
     if (room_.full())
         return false;
     std::ranges::move(reading.reports, std::back_inserter(lexical));

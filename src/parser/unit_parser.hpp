@@ -46,6 +46,8 @@ public:
         return lexer_.trivia().subspan(trivia_, trivia_end_ - trivia_);
     }
     [[nodiscard]] std::uint32_t opener() const noexcept { return cut_.opener - token_; }
+    /// As `UnitCut` has it.
+    [[nodiscard]] bool balanced() const noexcept { return cut_.balanced; }
     /// True when an edit behind it can change it.
     [[nodiscard]] bool depends_on_rest() const noexcept;
 

@@ -48,7 +48,8 @@ inline constexpr std::size_t word_size = sizeof(std::uint64_t);
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes));
 }
 
-/// The same as the two above, all at once where the processor can.
+/// What `mask_of_one_by_one` and `is_ascii_block_by_words` give, all at once where the processor
+/// can.
 [[nodiscard]] inline std::uint32_t mask_of(const char* bytes, char sought) noexcept {
     return static_cast<std::uint32_t>(
         _mm_movemask_epi8(_mm_cmpeq_epi8(load_block(bytes), _mm_set1_epi8(sought))));

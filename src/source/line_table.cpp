@@ -58,7 +58,7 @@ constexpr std::uint64_t high_bits = 0x8080808080808080U;
 // unit.
 [[nodiscard]] bool eight_ascii(std::string_view text, std::size_t offset,
                                std::size_t end) noexcept {
-    return end - offset >= word_size && (load_word(text.data() + offset) & high_bits) == 0;
+    return end - offset >= word_size && is_ascii_word(text.data() + offset);
 }
 
 // Where the columns of a line are counted from. A byte order mark has none: no editor shows it.

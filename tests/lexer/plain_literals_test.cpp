@@ -32,6 +32,8 @@ constexpr Form forms[] = {
     {TokenKind::direct_variable, "%ix", "019._"},
     {TokenKind::single_byte_string, "'", "ab $'\t\xE4"},
     {TokenKind::double_byte_string, "\"", "ab $\"'\t\xE4"},
+    {TokenKind::single_byte_string, "", "'Sa$'"},
+    {TokenKind::double_byte_string, "", "\"Wa$\""},
 };
 
 // A quicker way to the answer of the scanners, which know what the standard says.
@@ -51,7 +53,8 @@ TEST(PlainLiteral, HasNoFault) {
                 if (!is_plain_literal(form.kind, part))
                     continue;
                 ++plain;
-                ASSERT_TRUE(check_literal(form.kind, part, Encoding::utf8).empty()) << part;
+                for (const Encoding encoding : {Encoding::utf8, Encoding::iso_8859_1})
+                    ASSERT_TRUE(check_literal(form.kind, part, encoding).empty()) << part;
             }
         }
         EXPECT_GT(plain, 100) << form.begin << form.characters;
@@ -86,7 +89,8 @@ TEST(PlainLiteral, IsNoneWithAFault) {
         EXPECT_FALSE(is_plain_literal(TokenKind::duration, text)) << text;
     for (const std::string_view text : {"%", "%I", "%IX", "%X1", "%IX1.", "%IX1..2", "%I*"})
         EXPECT_FALSE(is_plain_literal(TokenKind::direct_variable, text)) << text;
-    for (const std::string_view text : {"'", "'a", "'$'", "'a$'", "'a'b'", "'\xE4'", "'\t'"})
+    for (const std::string_view text : {"'", "'a", "'$'", "'a$'", "'a'b'", "'\xE4'", "'\t'",
+                                        "STRING#'ABS", "string#'a s", "STRING#'a'"})
         EXPECT_FALSE(is_plain_literal(TokenKind::single_byte_string, text)) << text;
 }
 

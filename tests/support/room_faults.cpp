@@ -19,11 +19,12 @@ struct UnitText {
     std::string_view text;
     std::vector<Token> tokens;
     std::uint32_t opener;
+    bool balanced;
 };
 
 [[nodiscard]] UnitText unit_at(const UnitReader& reader, std::string_view bytes) {
     const std::uint32_t size = reader.end() - reader.begin();
-    UnitText unit{bytes.substr(reader.begin(), size), {}, reader.opener()};
+    UnitText unit{bytes.substr(reader.begin(), size), {}, reader.opener(), reader.balanced()};
     for (const Token token : reader.tokens())
         unit.tokens.push_back(token.moved_back(reader.begin()));
     unit.tokens.emplace_back(TokenKind::end_of_unit, size, 0, true);
@@ -35,6 +36,8 @@ struct UnitText {
                                                  const ParseOptions& options) {
     ParserArena arena(ParserArena::reserve_of_unit + room);
     Parser parser(unit.text, unit.tokens, {}, unit.opener, arena, options);
+    if (unit.balanced)
+        parser.know_balanced();
     (void)parser.parse_fragment(options.read_as);
     return arena.full() ? std::nullopt : std::optional(arena.used());
 }

@@ -83,6 +83,7 @@ namespace detail {
     return static_cast<std::uint32_t>(mix_name(hash, load_bytes(last, step)));
 }
 
+// `names_equal` of names of the same size.
 [[nodiscard]] constexpr bool are_equal_folded(const char* a, const char* b,
                                               std::size_t size) noexcept {
     for (std::size_t i = 0; i < size; ++i)
