@@ -75,7 +75,7 @@ build_tests() {
 prepare() {
     rm -rf "$tree"
     mkdir "$tree"
-    (cd "$root" && cp -a CMakeLists.txt LICENSE README.md docs examples include src tests "$tree")
+    (cd "$root" && cp -a .ci CMakeLists.txt LICENSE README.md docs examples include src tests "$tree")
     "${CXX:-g++}" -std=c++20 -O1 "$here/mutate.cpp" -o "$build/mutate"
     choose
     configure
