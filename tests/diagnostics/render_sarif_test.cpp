@@ -89,6 +89,16 @@ TEST(RenderSarif, CountsColumnsInCodePoints) {
     EXPECT_EQ((*result)["locations"][0]["physicalLocation"]["region"]["startColumn"].text, "5");
 }
 
+// An absolute URI is resolved against nothing (3.4.4 of the format).
+TEST(RenderSarif, GivesABaseToRelativePathsOnly) {
+    const auto base_of = [](const std::string& name) {
+        const auto result = test::read_json(result_of({}, SourceText("IF a", name)));
+        return (*result)["locations"][0]["physicalLocation"]["artifactLocation"]["uriBaseId"].text;
+    };
+    EXPECT_EQ(base_of("plant/b.st"), "%SRCROOT%");
+    EXPECT_EQ(base_of("/plant/b.st"), "");
+}
+
 TEST(RenderSarif, MakesUrisOfPaths) {
     EXPECT_EQ(uri_of("a/b.st"), "a/b.st");
     EXPECT_EQ(uri_of("a\\b.st"), "a/b.st");
