@@ -3,6 +3,7 @@
 #include "diagnostics/sort_by_place.hpp"
 #include "lexer/characters.hpp"
 #include "lexer/keywords.hpp"
+#include "lexer/plain_literals.hpp"
 #include "lexer/word_shape.hpp"
 #include "source/byte_mask.hpp"
 
@@ -50,7 +51,8 @@ bool Lexer::word_goes_on(const char* end) noexcept {
 
 // True for digits that may not be all of a number, or too many to be sure that nothing is wrong.
 bool Lexer::number_goes_on(const char* begin, const char* end) noexcept {
-    return (word_bits_of(*end) & characters::number_goes_on) != 0 || end - begin > safe_digits;
+    return (word_bits_of(*end) & characters::number_goes_on) != 0 ||
+           view(begin, end).size() > safe_digits;
 }
 
 namespace {

@@ -35,9 +35,6 @@ struct LexedText {
     std::vector<OpenEnd> open_ends;      // ordered by position
 };
 
-/// So many digits fit 64 bits: nothing can be wrong with them.
-inline constexpr std::ptrdiff_t safe_digits = 18;
-
 /// Nobody writes a longer literal than this, but for strings: what is longer is not tried as one.
 inline constexpr std::size_t longest_tried = 40;
 
@@ -120,7 +117,6 @@ private:
 
     // ---- lexer_numbers.cpp
     const char* long_number(const char* begin);
-    const char* integer(const char* begin, const char* end);
     const char* number_with_point(const char* begin, const char* point);
     const char* number_with_exponent(const char* begin, const char* letter);
     [[nodiscard]] bool lacks_duration_prefix(const char* begin, const char* end) const;

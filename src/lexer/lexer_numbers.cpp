@@ -1,6 +1,7 @@
 #include "lexer/lexer.hpp"
 #include "lexer/lookahead.hpp"
 #include "lexer/meant_number.hpp"
+#include "lexer/plain_literals.hpp"
 
 #include <iecfront/lexer/literals.hpp>
 #include <iecfront/lexer/name.hpp>
@@ -23,14 +24,8 @@ const char* Lexer::long_number(const char* begin) {
     if (is_exponent_letter(*digits_end) && !behind_dot)
         return number_with_exponent(begin, digits_end);
     const char* const word_end = extents_.word_end(digits_end);
-    return word_end == digits_end ? integer(begin, digits_end) : digit_first_word(begin, word_end);
-}
-
-const char* Lexer::integer(const char* begin, const char* end) {
-    if (end - begin > safe_digits || std::find(begin, end, '_') != end)
-        return literal(TokenKind::integer, begin, end);
-    emit(TokenKind::integer, begin, end);
-    return end;
+    return word_end == digits_end ? literal(TokenKind::integer, begin, digits_end)
+                                  : digit_first_word(begin, word_end);
 }
 
 namespace {
@@ -45,7 +40,7 @@ namespace {
 
 const char* Lexer::number_with_point(const char* begin, const char* point) {
     if (point[1] == '.' || is_lone_dot(Extents::blanks_end(point + 1))) // `1..3` and `1. .3`
-        return integer(begin, point);
+        return literal(TokenKind::integer, begin, point);
     const char* end = point + 1;
     if (Extents::point_begins_fraction(point))
         end = extents_.real_end(point);
@@ -115,7 +110,7 @@ const char* Lexer::c_style_integer(const char* begin, const char* end) {
     static constexpr std::array bases = {Base{'X', "16#", 16}, Base{'O', "8#", 8},
                                          Base{'B', "2#", 2}};
     const auto* const found = std::ranges::find(bases, fold(begin[1]), &Base::letter);
-    if (*begin != '0' || found == bases.end() || end - begin > safe_digits)
+    if (*begin != '0' || found == bases.end() || view(begin, end).size() > safe_digits)
         return nullptr;
     const std::string meant = found->prefix + std::string(begin + 2, end);
     if (!check_literal(TokenKind::based_integer, meant, encoding_).empty())

@@ -8,9 +8,6 @@ namespace iecfront {
 
 namespace {
 
-// So many digits fit 64 bits and the range of every real type.
-constexpr std::size_t safe_size = 18;
-
 [[nodiscard]] std::size_t count_digits(std::string_view text) noexcept {
     std::size_t count = 0;
     while (count < text.size() && is_digit(text[count]))
@@ -32,7 +29,7 @@ constexpr std::size_t safe_size = 18;
 
 // integer (B.1.2.1)
 [[nodiscard]] bool is_plain_integer(std::string_view text) noexcept {
-    return text.size() <= safe_size && are_plain_digits(text, 10);
+    return text.size() <= safe_digits && are_plain_digits(text, 10);
 }
 
 // `16#FF`, `2#1010_0101` (B.1.2.1)
@@ -50,7 +47,7 @@ constexpr std::size_t safe_size = 18;
 // `1.5`, `2.5E-3` (B.1.2.1)
 [[nodiscard]] bool is_plain_real(std::string_view text) noexcept {
     const std::size_t whole = count_digits(text);
-    if (whole == 0 || whole == text.size() || text[whole] != '.' || text.size() > safe_size)
+    if (whole == 0 || whole == text.size() || text[whole] != '.' || text.size() > safe_digits)
         return false;
     const std::size_t fraction = count_digits(text.substr(whole + 1));
     std::string_view exponent = text.substr(whole + 1 + fraction);
@@ -93,7 +90,7 @@ constexpr std::size_t safe_size = 18;
     for (;; ++at) {
         const std::size_t digits = count_digits(text.substr(at));
         at += digits;
-        if (digits == 0 || digits > safe_size)
+        if (digits == 0 || digits > safe_digits)
             return false;
         if (at == text.size())
             return true;

@@ -22,7 +22,7 @@ namespace {
     }
 }
 
-// What a word means to the cutter, for one look-up a token.
+// What a word means to the cutter.
 enum class Role : std::uint8_t {
     none,
     opener,           // of a library element
