@@ -47,15 +47,16 @@ const char* Lexer::number_with_point(const char* begin, const char* point) {
     // `1. 5`, `1.0 E3` and `1.0E 3`: the rest of the number behind blanks.
     const char* const rest = Extents::gap_end(end);
     if (rest != end) {
-        const Gaps gaps = gaps_of({range(end, rest)});
+        const auto whole = [&](const char* real_end) {
+            return spaced_literal(TokenKind::real, begin, real_end, gaps_of({range(end, rest)}));
+        };
         if (end == point + 1 && is_fraction(rest))
-            return spaced_literal(TokenKind::real, begin, extents_.real_end(rest - 1), gaps);
+            return whole(extents_.real_end(rest - 1));
         if (const char* const exponent = Extents::exponent_end(rest);
             exponent != nullptr && end != point + 1 && !is_word_part(*exponent))
-            return spaced_literal(TokenKind::real, begin, exponent, gaps);
+            return whole(exponent);
         if (end != point + 1 && is_exponent_letter(end[-1]) && begins_number(rest))
-            return spaced_literal(TokenKind::real, begin,
-                                  Extents::digits_end(is_sign(*rest) ? rest + 1 : rest), gaps);
+            return whole(Extents::digits_end(is_sign(*rest) ? rest + 1 : rest));
     }
     if (lacks_duration_prefix(begin, end))
         return duration_without_prefix(begin, end);

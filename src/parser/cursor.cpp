@@ -16,6 +16,8 @@ Parser::Parser(std::string_view text, std::span<Token> tokens, std::span<const D
       opener_(opener),
       arena_(arena),
       options_(options) {
+    constexpr std::size_t usual_depth = 8; // of blocks
+    open_.reserve(usual_depth);
     move_to(tokens_[0].kind() == TokenKind::unknown ? next(0) : 0);
 }
 

@@ -2,7 +2,6 @@
 
 #include <iecfront/lexer/name.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -53,6 +52,16 @@ struct ChartElements {
     return found;
 }
 
+[[nodiscard]] std::size_t initial_step_count(const ast::SequentialFunctionChart& chart) {
+    std::size_t count = 0;
+    for (const ast::SfcNetwork* network : chart.networks)
+        for (const ast::Node* element : network->elements) {
+            const auto* step = ast::as<ast::Step>(element);
+            count += step != nullptr && step->initial ? 1 : 0;
+        }
+    return count;
+}
+
 /// All that the transition leaves and enters becomes one group. False when a step of them is not
 /// known. `name_of` gives the name of an identifier, folded.
 template<typename NameOf>
@@ -78,13 +87,12 @@ void Parser::check_initial_steps(const ast::SequentialFunctionChart& chart) {
     const auto name_of = [this](const ast::Identifier& name) {
         return folded(text(name.first_token));
     };
-    const ChartElements elements = elements_of(chart);
-    const auto initial_steps = std::count_if(elements.steps.begin(), elements.steps.end(),
-                                             [](const ast::Step* step) { return step->initial; });
+    const std::size_t initial_steps = initial_step_count(chart);
     if (initial_steps == 0)
         report_at(chart.first_token, DiagnosticId::no_initial_step);
     if (initial_steps < 2) // as in most charts
         return;
+    const ChartElements elements = elements_of(chart);
     StepGroups groups;
     for (const ast::Step* step : elements.steps)
         groups.add(name_of(*step->name));
