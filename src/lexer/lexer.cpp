@@ -98,17 +98,18 @@ const char* Lexer::read_until(std::size_t count) {
                 return p;
             p += size_of_indentation(p, end_);
             continue;
-        case CharacterClass::word: {
-            static_assert(words::head_size == keywords::head_size);
-            const WordShape shape = shape_of_word(p, end_);
-            const std::string_view text = view(p, shape.end);
-            if (shape.odd || word_goes_on(shape.end)) [[unlikely]] {
-                p = odd_word(p);
-                continue;
+        case CharacterClass::word:
+            [[likely]] {
+                static_assert(words::head_size == keywords::head_size);
+                const WordShape shape = shape_of_word(p, end_);
+                const std::string_view text = view(p, shape.end);
+                if (shape.odd || word_goes_on(shape.end)) [[unlikely]] {
+                    p = odd_word(p);
+                    continue;
+                }
+                piece = {keyword_kind(text, shape.head), text.size()};
+                break;
             }
-            piece = {keyword_kind(text, shape.head), text.size()};
-            break;
-        }
         case CharacterClass::digit: {
             const char* end = p + 1;
             while (is_digit(*end))
@@ -200,7 +201,8 @@ const char* Lexer::read_until(std::size_t count) {
         }
         put(piece.kind, p, p + piece.size);
         p += piece.size;
-        p += *p == ' ' ? 1 : 0; // mostly there is one, which takes no branch to pass
+        if (*p == ' ') // mostly: where the branch is foreseen, nobody waits for the byte
+            ++p;
     }
 }
 
