@@ -14,14 +14,6 @@
 namespace iecfront::cli {
 namespace {
 
-// What the catalogue knows, for a diagnostic without a page.
-[[nodiscard]] std::string short_page(const DiagnosticInfo& row) {
-    return "# " + code_string(row.id) + ": " + std::string(row.name) + "\n\n" +
-           std::string(row.message) + "\n\nClause " + std::string(row.clause) + "; " +
-           std::string(to_string(row.category)) + ", reported as " +
-           std::string(to_string(row.default_severity)) + " by default.\n";
-}
-
 // What the page of an extension leaves to the registry.
 [[nodiscard]] std::string extension_facts(const Extension& extension) {
     const std::string name(diagnostic_info(extension.diagnostic).name);
@@ -32,8 +24,7 @@ namespace {
 }
 
 void explain(const DiagnosticInfo& row) {
-    const std::string_view page = explain_page(code_string(row.id));
-    print(page.empty() ? short_page(row) : page);
+    print(explain_page(code_string(row.id)));
     if (const Extension* extension = find_extension(row.id))
         print(extension_facts(*extension));
 }

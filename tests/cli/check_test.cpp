@@ -126,6 +126,34 @@ TEST_F(CheckCommand, ALimitGivesAStatusOfItsOwn) {
         << outcome.out;
 }
 
+TEST_F(CheckCommand, EachLimitCanBeSet) {
+    struct Limit {
+        std::string_view option;
+        std::string_view enough;
+        std::string_view too_little;
+        std::string_view code;
+    };
+    constexpr Limit limits[] = {
+        {"--max-nesting", "20", "5", "IEC9002"},
+        {"--max-identifier-length", "4", "3", "IEC9009"},
+        {"--max-source-size", "1000", "20", "IEC9001"},
+        {"--max-unit-memory", "100000", "300", "IEC9011"},
+        {"--max-diagnostics", "2", "1", "IEC9010"},
+    };
+    write("deep.st", deep_program);
+    write("twice.st", std::string(bad_program) + std::string(bad_program));
+    for (const Limit& limit : limits) {
+        const auto said = [&](std::string_view value) {
+            const Outcome outcome = run(
+                {"check", std::string(limit.option), std::string(value), "deep.st", "twice.st"});
+            EXPECT_NE(outcome.status, 2) << outcome.err;
+            return contains(outcome.out, limit.code);
+        };
+        EXPECT_TRUE(said(limit.too_little)) << limit.option;
+        EXPECT_FALSE(said(limit.enough)) << limit.option;
+    }
+}
+
 TEST_F(CheckCommand, ALimitThatIsNotReportedIsStillSaid) {
     write("deep.st", deep_program);
     const Outcome outcome = run({"check", "--max-nesting", "5", "--allow", "limit", "deep.st"});
