@@ -92,7 +92,7 @@ private:
     const char* plain_word(const char* begin, const char* end);
     const char* identifier(const char* begin, const char* end);
     bool check_word(const char* begin, const char* end);
-    bool report_parted_keyword(const char* begin, const char* end);
+    const char* parted_keyword(const char* begin, const char* end);
     void check_underscores(const char* begin, const char* end);
     bool check_foreign_letters(const char* begin, const char* end);
 

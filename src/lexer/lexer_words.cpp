@@ -38,6 +38,8 @@ const char* Lexer::plain_word(const char* begin, const char* end) {
 }
 
 const char* Lexer::identifier(const char* begin, const char* end) {
+    if (const char* const whole_end = parted_keyword(begin, end))
+        return whole_end;
     const bool malformed = !check_word(begin, end);
     emit_any(TokenKind::identifier, begin, end, malformed);
     return end;
@@ -53,17 +55,21 @@ bool Lexer::check_word(const char* begin, const char* end) {
     return false;
 }
 
-// `END_ IF`: true when it is reported.
-bool Lexer::report_parted_keyword(const char* begin, const char* end) {
+// `END_ IF` on one line, which is one keyword. Null when it is none.
+const char* Lexer::parted_keyword(const char* begin, const char* end) {
     const char* const rest = Extents::blanks_end(end);
+    if (end[-1] != '_' || rest == end)
+        return nullptr;
     const char* const rest_end = extents_.word_end(rest);
     const std::string whole = std::string(view(begin, end)).append(view(rest, rest_end));
-    if (rest == end || keyword_kind(whole) == TokenKind::identifier)
-        return false;
+    const TokenKind kind = keyword_kind(whole);
+    if (kind == TokenKind::identifier)
+        return nullptr;
     Diagnostic& diagnostic = report(DiagnosticId::misspelt_word, range(begin, rest_end));
     diagnostic.arguments = {std::string(view(begin, rest_end)), whole};
     add_replacement(diagnostic, range(begin, rest_end), whole);
-    return true;
+    emit_any(kind, begin, rest_end, true);
+    return rest_end;
 }
 
 void Lexer::check_underscores(const char* begin, const char* end) {
@@ -78,10 +84,9 @@ void Lexer::check_underscores(const char* begin, const char* end) {
         const TextRange where = range(p, run);
         if (p == begin && run == end)
             report(DiagnosticId::lone_underscore, where);
-        else if (run == end) {
-            if (!report_parted_keyword(begin, end))
-                add_replacement(report(DiagnosticId::trailing_underscore, where), where);
-        } else if (run - p > 1)
+        else if (run == end)
+            add_replacement(report(DiagnosticId::trailing_underscore, where), where);
+        else if (run - p > 1)
             add_replacement(report(p == begin ? DiagnosticId::leading_underscores
                                               : DiagnosticId::consecutive_underscores,
                                    where),

@@ -645,7 +645,9 @@ const ast::InstanceSpecificInit* Parser::parse_instance_specific_init() {
     node->location = parse_optional_location();
     expect_colon();
     node->specification = parse_type_specification();
-    if (at(TokenKind::kw_at) && node->location == nullptr)
+    if (at(TokenKind::kw_at) && node->path.back()->missing)
+        parse_optional_location(); // what it should stand behind is not there
+    else if (at(TokenKind::kw_at) && node->location == nullptr)
         parse_location_behind_type(node->first_token, node->path.back()->end_token);
     node->initial_value = parse_optional_initial_value();
     check_initial_value(*node->specification, node->initial_value);

@@ -162,7 +162,7 @@ std::uint32_t Parser::second_of_split_word() const noexcept {
     return hyphen ? next(behind) : behind;
 }
 
-/// `END IF`, `END-IF`, `END _IF`, `END_ IF` or `END_FUNCTION BLOCK`.
+/// `END IF`, `END-IF`, `END _IF` or `END_FUNCTION BLOCK`; of `END_ IF` the lexer makes one token.
 bool Parser::at_split_word(std::string_view closer) const noexcept {
     if (!names_equal(text(at_).substr(0, 3), "END")) // as nearly all words, which are read here
         return false;
@@ -172,8 +172,6 @@ bool Parser::at_split_word(std::string_view closer) const noexcept {
         return false;
     if (at(TokenKind::kw_end_function))
         return closer == spelling(TokenKind::kw_end_function_block) && names_equal(rest, "BLOCK");
-    if (names_equal(text(at_), "END_"))
-        return names_equal(rest, closer.substr(4));
     return names_equal(text(at_), "END") &&
            (names_equal(rest, closer.substr(4)) || names_equal(rest, closer.substr(3)));
 }

@@ -636,7 +636,8 @@ std::uint32_t Parser::end_of_location_without_sign() const noexcept {
 void Parser::parse_location_behind_type(std::uint32_t declaration, std::uint32_t names_end) {
     const std::uint32_t before = previous_end();
     const std::uint32_t first = at_;
-    parse_optional_location();
+    if (parse_optional_location()->variable->kind == ast::NodeKind::error_expression)
+        return; // as was reported: there is nothing to move
     const TextRange location = token_range(first, end_);
     const TextRange all = token_range(declaration, end_);
     const std::uint32_t name_end = tokens_[names_end - 1].end();
