@@ -5,6 +5,7 @@
 #     count_instructions.sh WORK figures         prints instructions per byte of source of each step
 #     count_instructions.sh WORK check           compares these with instructions.txt
 #     count_instructions.sh WORK growth [SHAPE]  compares texts of SMALL and LARGE bytes of each shape
+#     count_instructions.sh WORK edits           compares key strokes in texts of 1 and of 4 MB
 #
 # WORK is the program iecfront_work of a Release build. `check` counts only with the compiler that
 # instructions.txt names. `growth` without names takes all shapes, in less than a minute on two cores.
@@ -14,7 +15,7 @@ folder=$(dirname "$0")
 recorded=$folder/instructions.txt
 text_size=1000000
 tolerance=5         # percent, of `check`
-growth_tolerance=15 # percent, of `growth`
+growth_tolerance=15 # percent, of `growth` and `edits`
 SMALL=${SMALL:-25000}
 LARGE=${LARGE:-250000}
 
@@ -45,7 +46,8 @@ check() {
         echo "counted with g++ $compiler, not with $here: not compared"
         return 0
     fi
-    { cat "$recorded"; echo; figures; } | awk -v tolerance=$tolerance '
+    now=$(figures)
+    { cat "$recorded"; echo; echo "$now"; } | awk -v tolerance=$tolerance '
         /^#/ || $1 == "g++" || NF != 2 { next }
         !($1 in before) { before[$1] = $2; next }
         {
@@ -83,6 +85,25 @@ growth() {
             END { exit failed }'
 }
 
+# Of all key strokes that `edit` makes, in a text of $1 bytes.
+key_strokes() {
+    parse=$(count parse generated "$1")
+    edit=$(count edit generated "$1")
+    echo $((edit - parse))
+}
+
+# What grows with the text is the row of slots alone, which is short beside what a unit takes.
+edits() {
+    small=$(key_strokes $text_size)
+    large=$(key_strokes $((4 * text_size)))
+    awk -v small="$small" -v large="$large" -v tolerance=$growth_tolerance '
+        BEGIN {
+            growth = (large / small - 1) * 100
+            printf "key strokes: %d instructions in 1 MB, %d in 4 MB, %+.1f %%\n", small, large, growth
+            exit growth > tolerance
+        }'
+}
+
 if [ $# -lt 2 ] || [ ! -x "$1" ]; then
     sed -n '2,/^set/p' "$0" | grep '^#' >&2
     exit 2
@@ -94,6 +115,7 @@ case $what in
 figures) figures ;;
 check) check ;;
 growth) growth "$@" ;;
+edits) edits ;;
 growth_of) growth_of "$@" ;; # for itself
 *) echo "count_instructions.sh: there is no $what" >&2; exit 2 ;;
 esac

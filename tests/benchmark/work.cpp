@@ -2,8 +2,8 @@
 //
 //     iecfront_work STEP TEXT SIZE
 //
-// TEXT is `generated` or the name of a shape; `iecfront_work shapes` lists these. Each step does
-// what those before it do, so that differences are what a step alone takes.
+// TEXT is `generated` or the name of a shape; `iecfront_work shapes` lists these. Each step but
+// `text` and `lex_cut` parses, so that differences are what a step alone takes.
 
 #include "benchmark/count_nodes.hpp"
 #include "benchmark/generator.hpp"
@@ -32,6 +32,23 @@ namespace {
     return units;
 }
 
+/// Puts a letter behind a token in so many places, each time in the tree as it was.
+[[nodiscard]] std::size_t edit_everywhere(const SyntaxTree& tree) {
+    constexpr std::uint32_t places = 200; // as many as iecfront_bench draws
+    std::size_t sum = 0;
+    for (std::uint32_t i = 0; i < places; ++i) {
+        const auto somewhere = static_cast<std::uint32_t>(std::uint64_t{tree.size()} * i / places);
+        const SyntaxTree::Slot& slot = tree.slot_at(somewhere);
+        const auto tokens = slot.unit->tokens();
+        const auto behind = std::ranges::find_if(
+            tokens, [&](Token token) { return slot.offset + token.end() > somewhere; });
+        const std::uint32_t place =
+            behind == tokens.end() ? somewhere : slot.offset + behind->end();
+        sum += tree.edited({place, place}, "x").size();
+    }
+    return sum;
+}
+
 /// A number that depends on all that was done.
 [[nodiscard]] std::size_t do_step(std::string_view step, const SourceText& source) {
     if (step == "text")
@@ -43,6 +60,8 @@ namespace {
         return tree.slots().size();
     if (step == "walk")
         return count_nodes(tree);
+    if (step == "edit")
+        return edit_everywhere(tree);
     return render_text(tree.diagnostics(), source).size(); // report
 }
 
@@ -75,7 +94,7 @@ int main(int count, char** arguments) {
         list_shapes();
         return 0;
     }
-    std::fputs("usage: iecfront_work text|lex_cut|parse|walk|report TEXT SIZE\n"
+    std::fputs("usage: iecfront_work text|lex_cut|parse|walk|edit|report TEXT SIZE\n"
                "       iecfront_work shapes\n",
                stderr);
     return 2;
