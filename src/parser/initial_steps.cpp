@@ -35,6 +35,22 @@ private:
     std::vector<std::size_t> parents_; // of each step, another one of its group; itself at the end
 };
 
+template<typename Function>
+void for_each_element(const ast::SequentialFunctionChart& chart, Function function) {
+    for (const ast::SfcNetwork* network : chart.networks)
+        for (const ast::Node* element : network->elements)
+            function(element);
+}
+
+[[nodiscard]] std::size_t initial_step_count(const ast::SequentialFunctionChart& chart) {
+    std::size_t count = 0;
+    for_each_element(chart, [&count](const ast::Node* element) {
+        const auto* step = ast::as<ast::Step>(element);
+        count += step != nullptr && step->initial ? 1 : 0;
+    });
+    return count;
+}
+
 struct ChartElements {
     std::vector<const ast::Step*> steps;
     std::vector<const ast::Transition*> transitions;
@@ -42,24 +58,13 @@ struct ChartElements {
 
 [[nodiscard]] ChartElements elements_of(const ast::SequentialFunctionChart& chart) {
     ChartElements found;
-    for (const ast::SfcNetwork* network : chart.networks)
-        for (const ast::Node* element : network->elements) {
-            if (const auto* step = ast::as<ast::Step>(element))
-                found.steps.push_back(step);
-            else if (const auto* transition = ast::as<ast::Transition>(element))
-                found.transitions.push_back(transition);
-        }
+    for_each_element(chart, [&found](const ast::Node* element) {
+        if (const auto* step = ast::as<ast::Step>(element))
+            found.steps.push_back(step);
+        else if (const auto* transition = ast::as<ast::Transition>(element))
+            found.transitions.push_back(transition);
+    });
     return found;
-}
-
-[[nodiscard]] std::size_t initial_step_count(const ast::SequentialFunctionChart& chart) {
-    std::size_t count = 0;
-    for (const ast::SfcNetwork* network : chart.networks)
-        for (const ast::Node* element : network->elements) {
-            const auto* step = ast::as<ast::Step>(element);
-            count += step != nullptr && step->initial ? 1 : 0;
-        }
-    return count;
 }
 
 /// All that the transition leaves and enters becomes one group. False when a step of them is not
