@@ -100,7 +100,7 @@ SyntaxTree::SyntaxTree(std::string name, Encoding encoding,
     for (std::shared_ptr<const Unit>& unit : units) {
         slots.push_back({size_, line, std::move(unit)});
         size_ += size_of(slots.back());
-        line += slots.back().unit->lines().line_end_count();
+        line += slots.back().unit->line_end_count();
         if (first_open_ + 1 == slots.size() && !slots.back().unit->depends_on_rest())
             ++first_open_;
     }
@@ -142,7 +142,7 @@ Position SyntaxTree::position(std::uint32_t offset, ColumnUnit unit) const noexc
         position.column += columns_between(*slot, 0, end, unit);
         --slot;
         end = size_of(*slot);
-        line = slot->unit->lines().line_end_count();
+        line = slot->unit->line_end_count();
     }
     position.column += columns_between(*slot, slot->unit->lines().line_start(line), end, unit);
     return position;
@@ -152,12 +152,12 @@ std::uint32_t SyntaxTree::offset(Position position, ColumnUnit unit) const noexc
     const std::uint32_t line = std::max(position.line, 1U) - 1;
     const Slot* slot = slot_of_line(*slots_, line);
     std::uint32_t line_in_unit = line - slot->first_line;
-    if (line_in_unit > slot->unit->lines().line_end_count())
+    if (line_in_unit > slot->unit->line_end_count())
         return size_;
     std::uint32_t begin = slot->unit->lines().line_start(line_in_unit);
     std::uint32_t column = std::max(position.column, 1U);
     // The last line of a unit goes on in the next one.
-    while (line_in_unit == slot->unit->lines().line_end_count() && slot != &slots_->back()) {
+    while (line_in_unit == slot->unit->line_end_count() && slot != &slots_->back()) {
         const std::uint32_t columns = columns_between(*slot, begin, size_of(*slot), unit);
         if (column <= columns)
             break;

@@ -2,6 +2,7 @@
 #include <iecfront/ast/unit.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace iecfront {
@@ -31,7 +32,22 @@ namespace {
 
 } // namespace
 
-Unit::Unit(Parts parts) : parts_(std::move(parts)), lines_(parts_.text) {}
+Unit::Unit(Parts parts) : parts_(std::move(parts)), line_end_count_(count_line_ends(parts_.text)) {}
+
+Unit::~Unit() {
+    delete lines_.load(std::memory_order_relaxed);
+}
+
+// Two threads may make it at the same time: the first one is kept.
+const LineTable& Unit::lines() const noexcept {
+    const LineTable* lines = lines_.load(std::memory_order_acquire);
+    if (lines != nullptr)
+        return *lines;
+    auto made = std::make_unique<const LineTable>(parts_.text);
+    if (lines_.compare_exchange_strong(lines, made.get(), std::memory_order_acq_rel))
+        return *made.release();
+    return *lines;
+}
 
 TextRange Unit::range(const ast::Node& node) const noexcept {
     const std::span<const Token> tokens = parts_.tokens;
@@ -44,9 +60,10 @@ TextRange Unit::range(const ast::Node& node) const noexcept {
 }
 
 std::size_t Unit::memory_bytes() const noexcept {
-    std::size_t bytes = sizeof(Unit) + parts_.arena.capacity() +
-                        lines_.line_end_count() * sizeof(std::uint32_t) +
-                        parts_.diagnostics.capacity() * sizeof(Diagnostic);
+    std::size_t bytes =
+        sizeof(Unit) + parts_.arena.capacity() + parts_.diagnostics.capacity() * sizeof(Diagnostic);
+    if (lines_.load(std::memory_order_relaxed) != nullptr)
+        bytes += sizeof(LineTable) + line_end_count_ * sizeof(std::uint32_t);
     for (const Diagnostic& diagnostic : parts_.diagnostics)
         bytes += heap_bytes(diagnostic);
     return bytes;

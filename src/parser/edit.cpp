@@ -245,7 +245,7 @@ std::vector<SyntaxTree::Slot> Edit::row() const {
     for (const auto& unit : units_) {
         row.push_back({offset, line, unit});
         offset += static_cast<std::uint32_t>(unit->text().size());
-        line += unit->lines().line_end_count();
+        line += unit->line_end_count();
     }
     if (rest_ == old_.size())
         return row;

@@ -42,14 +42,30 @@ inline constexpr std::size_t word_size = sizeof(std::uint64_t);
     return ascii;
 }
 
+/// True when a line ends with `here`, before `next`: LF, CR LF and CR each are one line end.
+[[nodiscard]] constexpr bool ends_line(char here, char next) noexcept {
+    return here == '\n' || (here == '\r' && next != '\n');
+}
+
+/// Rows of `mask_size` bytes that `count_line_ends_in` counts in, at most.
+inline constexpr std::size_t most_rows = 255;
+
+/// How many lines end in so many rows of `mask_size` bytes; the byte behind them is looked at.
+[[nodiscard]] inline std::uint32_t count_line_ends_one_by_one(const char* bytes,
+                                                              std::size_t rows) noexcept {
+    std::uint32_t count = 0;
+    for (const char* const end = bytes + rows * mask_size; bytes != end; ++bytes)
+        count += ends_line(bytes[0], bytes[1]) ? 1 : 0;
+    return count;
+}
+
 #ifdef IECFRONT_HAS_SSE2
 
 [[nodiscard]] inline __m128i load_block(const char* bytes) noexcept {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes));
 }
 
-/// What `mask_of_one_by_one` and `is_ascii_block_by_words` give, all at once where the processor
-/// can.
+/// What the functions above give, all at once where the processor can.
 [[nodiscard]] inline std::uint32_t mask_of(const char* bytes, char sought) noexcept {
     return static_cast<std::uint32_t>(
         _mm_movemask_epi8(_mm_cmpeq_epi8(load_block(bytes), _mm_set1_epi8(sought))));
@@ -60,6 +76,21 @@ inline constexpr std::size_t word_size = sizeof(std::uint64_t);
         all = _mm_or_si128(all, load_block(bytes + i));
     return _mm_movemask_epi8(all) == 0;
 }
+[[nodiscard]] inline std::uint32_t count_line_ends_in(const char* bytes,
+                                                      std::size_t rows) noexcept {
+    const __m128i feed = _mm_set1_epi8('\n');
+    __m128i counts = _mm_setzero_si128(); // sixteen of one byte
+    for (const char* const end = bytes + rows * mask_size; bytes != end; bytes += mask_size) {
+        const __m128i here = load_block(bytes);
+        const __m128i feeds_behind = _mm_cmpeq_epi8(load_block(bytes + 1), feed);
+        const __m128i returns = _mm_cmpeq_epi8(here, _mm_set1_epi8('\r'));
+        const __m128i ends =
+            _mm_or_si128(_mm_cmpeq_epi8(here, feed), _mm_andnot_si128(feeds_behind, returns));
+        counts = _mm_sub_epi8(counts, ends); // which is -1 where a line ends
+    }
+    const __m128i sums = _mm_sad_epu8(counts, _mm_setzero_si128()); // of either half
+    return static_cast<std::uint32_t>(_mm_cvtsi128_si32(sums) + _mm_extract_epi16(sums, 4));
+}
 
 #else
 
@@ -68,6 +99,10 @@ inline constexpr std::size_t word_size = sizeof(std::uint64_t);
 }
 [[nodiscard]] inline bool is_ascii_block(const char* bytes) noexcept {
     return is_ascii_block_by_words(bytes);
+}
+[[nodiscard]] inline std::uint32_t count_line_ends_in(const char* bytes,
+                                                      std::size_t rows) noexcept {
+    return count_line_ends_one_by_one(bytes, rows);
 }
 
 #endif

@@ -32,6 +32,10 @@ constexpr std::uint64_t high_bits = 0x8080808080808080U;
     return c == '\n' || c == '\r';
 }
 
+[[nodiscard]] constexpr bool ends_line_at(std::string_view text, std::size_t offset) noexcept {
+    return ends_line(text[offset], offset + 1 < text.size() ? text[offset + 1] : '\0');
+}
+
 // Offset of the next LF or CR at or after `offset`, or the size of the text. Eight bytes at a time:
 // most bytes of a source end no line.
 [[nodiscard]] std::size_t find_line_end(std::string_view text, std::size_t offset) noexcept {
@@ -80,37 +84,40 @@ constexpr std::uint64_t high_bits = 0x8080808080808080U;
 
 } // namespace
 
-// Most texts have LF only.
-LineTable::LineTable(std::string_view text) {
-    constexpr std::size_t usual_line = 32; // bytes; published programs have some more
-    starts_.reserve(text.size() / usual_line + 1);
-    if (text.find('\r') == std::string_view::npos) {
-        add_line_feeds(text);
-        return;
+std::uint32_t count_line_ends(std::string_view text) noexcept {
+    std::uint32_t count = 0;
+    std::size_t at = 0;
+    while (text.size() - at > mask_size) { // one more byte is looked at
+        const std::size_t rows = std::min(most_rows, (text.size() - at - 1) / mask_size);
+        count += count_line_ends_in(text.data() + at, rows);
+        at += rows * mask_size;
     }
-    for (std::size_t at = find_line_end(text, 0); at < text.size(); at = find_line_end(text, at)) {
-        const bool two_bytes = text[at] == '\r' && at + 1 < text.size() && text[at + 1] == '\n';
-        at += two_bytes ? 2 : 1;
-        starts_.push_back(static_cast<std::uint32_t>(at));
-    }
+    for (; at < text.size(); ++at)
+        count += ends_line_at(text, at) ? 1 : 0;
+    return count;
 }
 
-void LineTable::add_line_feeds(std::string_view text) {
+LineTable::LineTable(std::string_view text) {
     constexpr std::size_t step = 4 * mask_size;
-    const char* const begin = text.data();
-    const char* const end = begin + text.size();
-    const char* p = begin;
-    for (; static_cast<std::size_t>(end - p) >= step; p += step) {
+    const auto mask_of_step = [](const char* bytes, char sought) {
         std::uint64_t mask = 0;
         for (std::size_t i = 0; i < step; i += mask_size)
-            mask |= std::uint64_t{mask_of(p + i, '\n')} << i;
-        const auto behind = static_cast<std::uint32_t>(p - begin) + 1;
-        for (; mask != 0; mask &= mask - 1)
-            starts_.push_back(behind + static_cast<std::uint32_t>(std::countr_zero(mask)));
+            mask |= std::uint64_t{mask_of(bytes + i, sought)} << i;
+        return mask;
+    };
+    starts_.reserve(count_line_ends(text));
+    std::uint32_t at = 0;
+    for (; text.size() - at > step; at += step) { // one more byte is looked at
+        const std::uint64_t feeds = mask_of_step(text.data() + at, '\n');
+        const std::uint64_t returns = mask_of_step(text.data() + at, '\r');
+        const std::uint64_t feeds_behind = feeds >> 1 | std::uint64_t{text[at + step] == '\n'}
+                                                            << (step - 1);
+        for (std::uint64_t ends = feeds | (returns & ~feeds_behind); ends != 0; ends &= ends - 1)
+            starts_.push_back(at + static_cast<std::uint32_t>(std::countr_zero(ends)) + 1);
     }
-    for (; p != end; ++p)
-        if (*p == '\n')
-            starts_.push_back(static_cast<std::uint32_t>(p - begin) + 1);
+    for (; at < text.size(); ++at)
+        if (ends_line_at(text, at))
+            starts_.push_back(at + 1);
 }
 
 LineTable::LineTable(std::string_view text, Encoding encoding) : LineTable(text) {

@@ -41,6 +41,7 @@ TEST(Unit, AnEmptyStatementStandsAtItsSemicolon) {
 TEST(Unit, KnowsItsLinesAndBuffer) {
     const auto buffer = std::make_shared<const std::string>("a\nb\r\nc");
     const auto unit = TreeBuilder(buffer).unit();
+    EXPECT_EQ(unit->line_end_count(), 2U);
     EXPECT_EQ(unit->lines().line_end_count(), 2U);
     EXPECT_EQ(unit->lines().line_start(2), 5U);
     EXPECT_EQ(unit->buffer(), buffer);
@@ -61,7 +62,11 @@ TEST(Unit, CountsItsMemory) {
     diagnostic.labels.push_back({{}, {}, std::string(1000, 'y')});
     diagnostic.fixes.push_back({{{{}, std::string(1000, 'z')}}});
     builder.add(diagnostic);
-    EXPECT_GE(builder.unit()->memory_bytes(), small->memory_bytes() + 3000);
+    const auto large = builder.unit();
+    EXPECT_GE(large->memory_bytes(), small->memory_bytes() + 3000);
+    const std::size_t before = large->memory_bytes();
+    EXPECT_EQ(large->lines().line_end_count(), 1U);
+    EXPECT_EQ(large->memory_bytes(), before + sizeof(LineTable) + sizeof(std::uint32_t));
 }
 
 TEST(UnitEquality, SeesTextNodesAndDiagnostics) {

@@ -1,7 +1,9 @@
 #include "source/byte_mask.hpp"
 
 #include <gtest/gtest.h>
+#include <random>
 #include <string>
+#include <string_view>
 
 using namespace iecfront;
 
@@ -34,6 +36,20 @@ TEST(AsciiBlock, HoldsNothingElseAnywhere) {
         EXPECT_FALSE(is_ascii_block_by_words(bytes.data()));
         byte = '\x7F';
     }
+}
+
+TEST(LineEnds, AreCountedAsOneByOne) {
+    std::mt19937 random(1);
+    constexpr std::string_view letters = "a\n\r\x8A\x8D\x0B";
+    for (std::size_t rows = 0; rows <= most_rows; rows += 1 + rows / 4) {
+        std::string bytes(rows * mask_size + 1, ' ');
+        for (char& byte : bytes)
+            byte = letters[random() % letters.size()];
+        ASSERT_EQ(count_line_ends_in(bytes.data(), rows),
+                  count_line_ends_one_by_one(bytes.data(), rows));
+    }
+    const std::string feeds(most_rows * mask_size + 1, '\n');
+    EXPECT_EQ(count_line_ends_in(feeds.data(), most_rows), most_rows * mask_size);
 }
 
 } // namespace

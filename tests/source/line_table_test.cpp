@@ -89,7 +89,7 @@ TEST(LineTable, EqualsASlowOneOnRandomTexts) {
     std::mt19937 random(1);
     constexpr std::string_view letters = "ab\n\r\x8A\x8D\x0B\x09";
     for (int round = 0; round < 2000; ++round) {
-        std::string text(random() % 40, ' ');
+        std::string text(random() % (round % 100 == 0 ? 10'000 : 200), ' ');
         for (char& c : text)
             c = letters[random() % letters.size()];
         Starts expected{0};
@@ -98,6 +98,7 @@ TEST(LineTable, EqualsASlowOneOnRandomTexts) {
                 (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')))
                 expected.push_back(static_cast<std::uint32_t>(i + 1));
         ASSERT_EQ(starts(text), expected);
+        ASSERT_EQ(count_line_ends(text), expected.size() - 1);
     }
 }
 
@@ -165,7 +166,7 @@ TEST(OffsetOfColumn, IsTheInverseOnRandomLines) {
     std::mt19937 random(2);
     constexpr std::string_view letters = "ab\t\xC3\x84\xE2\x82\xAC\xF0\x9F\x98\x80";
     for (int round = 0; round < 2000; ++round) {
-        std::string text(random() % 40, ' ');
+        std::string text(random() % (round % 100 == 0 ? 10'000 : 200), ' ');
         for (char& c : text)
             c = letters[random() % letters.size()];
         for (const ColumnUnit unit :

@@ -8,6 +8,7 @@
 #include <iecfront/source/encoding.hpp>
 #include <iecfront/source/line_table.hpp>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -38,6 +39,9 @@ public:
     };
     /// `parse` makes units; there is no need to make one by hand.
     explicit Unit(Parts parts);
+    Unit(const Unit&) = delete;
+    Unit& operator=(const Unit&) = delete;
+    ~Unit();
 
     /// All bytes of the unit. Views into it, as all of the unit, live as long as the unit does.
     [[nodiscard]] std::string_view text() const noexcept { return parts_.text; }
@@ -62,8 +66,11 @@ public:
     /// or a string that may go on stands in its last lines.
     [[nodiscard]] bool depends_on_rest() const noexcept { return parts_.depends_on_rest; }
 
-    /// Where the lines of the unit's text begin.
-    [[nodiscard]] const LineTable& lines() const noexcept { return lines_; }
+    /// Number of line ends in the unit's text.
+    [[nodiscard]] std::uint32_t line_end_count() const noexcept { return line_end_count_; }
+    /// Where the lines of the unit's text begin. Made when it is asked for the first time, whatever
+    /// the thread; lives as long as the unit does.
+    [[nodiscard]] const LineTable& lines() const noexcept;
 
     /// The bytes from the first to the last token of `node`, with the trivia between them; for a
     /// node without tokens the empty range behind the token before it, and for an empty statement
@@ -81,12 +88,13 @@ public:
         return text(range(node));
     }
 
-    /// Bytes of memory that the unit holds beside its text.
+    /// Bytes of memory that the unit holds beside its text; more when `lines()` was asked for.
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
 private:
     Parts parts_;
-    LineTable lines_;
+    std::uint32_t line_end_count_;
+    mutable std::atomic<const LineTable*> lines_ = nullptr; // owned
 };
 
 /// True when both have the same text, tokens, trivia, nodes and diagnostics.

@@ -25,13 +25,16 @@ struct Position {
     friend constexpr auto operator<=>(const Position&, const Position&) noexcept = default;
 };
 
+/// Number of line ends in `text`: LF, CR LF and CR each are one (A.1.1).
+[[nodiscard]] IECFRONT_API std::uint32_t count_line_ends(std::string_view text) noexcept;
+
 /// Where the lines of a text begin. LF, CR LF and CR each end a line (A.1.1). The table refers to
 /// offsets only and does not keep the text.
 class IECFRONT_API LineTable {
 public:
     /// Of an empty text: one line.
     LineTable() = default;
-    /// Of `text`, which is looked through once.
+    /// Of `text`, which is looked through twice.
     explicit LineTable(std::string_view text);
     /// The same, with columns of long lines noted here and there, so that to ask for many places of
     /// a giant line takes no longer than of short ones.
@@ -59,8 +62,6 @@ public:
     [[nodiscard]] KnownColumn known_column(std::uint32_t offset) const noexcept;
 
 private:
-    void add_line_feeds(std::string_view text);
-
     std::vector<std::uint32_t> starts_;      // of every line but the first
     std::vector<KnownColumn> known_columns_; // by offset, in long lines only
 };
