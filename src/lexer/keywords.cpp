@@ -17,8 +17,13 @@ bool keywords::ends_alike(std::string_view word, std::uint8_t index) noexcept {
     return names_equal(word.substr(head_size), spellings[index].substr(head_size));
 }
 
+// In text that is no word, what is folded alike need not be the same: DEL differs from `_` in the
+// bit that tells small letters from capitals.
 TokenKind keyword_kind(std::string_view word) noexcept {
-    return keyword_kind(word, keywords::head_of(word));
+    const TokenKind kind = keyword_kind(word, keywords::head_of(word));
+    const bool same = kind == TokenKind::identifier ||
+                      names_equal(word, keywords::spellings[static_cast<std::size_t>(kind)]);
+    return same ? kind : TokenKind::identifier;
 }
 
 } // namespace iecfront

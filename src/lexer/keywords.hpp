@@ -21,9 +21,10 @@ inline constexpr std::array spellings = {
 // Bytes of a word that are looked at as one number.
 inline constexpr std::size_t head_size = 8;
 
-// The first bytes of a word in capitals; the first byte is the lowest.
+// The first bytes of a word, folded; the first byte is the lowest.
 [[nodiscard]] constexpr std::uint64_t head_of(std::string_view word) noexcept {
-    return detail::fold_bytes(detail::load_bytes(word.data(), std::min(word.size(), head_size)));
+    return detail::fold_name_bytes(
+        detail::load_bytes(word.data(), std::min(word.size(), head_size)));
 }
 
 // What tells each keyword from all others. The last one is of no word at all.
@@ -88,18 +89,22 @@ inline constexpr SlotTable slots = slot_table();
 
 } // namespace keywords
 
-// `keyword_kind` of a word whose `keywords::head_of` is known.
+// `keyword_kind` of letters, digits and underscores only, whose `keywords::head_of` is known.
 [[nodiscard]] inline TokenKind keyword_kind(std::string_view word, std::uint64_t head) noexcept {
     const std::uint8_t index =
         keywords::slots[keywords::slot({head, word.size()}, keywords::multiplier)];
-    const keywords::Entry entry = keywords::entries[index];
-    const bool same = entry.head == head && entry.size == word.size() &&
-                      (word.size() <= keywords::head_size || keywords::ends_alike(word, index));
-    return same ? static_cast<TokenKind>(index) : TokenKind::identifier;
+    const keywords::Entry& entry = keywords::entries[index];
+    // Chosen without a branch: no processor foresees which words are keywords.
+    bool same = (entry.head == head) & (entry.size == word.size());
+    if (same & (entry.size > keywords::head_size)) [[unlikely]]
+        same = keywords::ends_alike(word, index);
+    constexpr auto identifier = static_cast<std::uint32_t>(TokenKind::identifier);
+    const std::uint32_t chosen = 0U - static_cast<std::uint32_t>(same); // all bits, or none
+    return static_cast<TokenKind>(identifier ^ ((index ^ identifier) & chosen));
 }
 
-// The kind of keyword that `word`, made of letters, digits and underscores only, is in any case of
-// its letters; `identifier` when it is none. One probe.
+// The kind of keyword that `word` is in any case of its letters; `identifier` when it is none. One
+// probe.
 [[nodiscard]] TokenKind keyword_kind(std::string_view word) noexcept;
 
 } // namespace iecfront

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 namespace iecfront {
@@ -110,22 +111,15 @@ constexpr auto block_words = [] {
     return block_words[static_cast<std::size_t>(token.kind())];
 }
 
-// The first word of a block from `begin` on, else `end`. Few tokens are one, so some are looked at
-// together.
-[[nodiscard]] std::size_t next_word(std::span<const Token> tokens, std::size_t begin,
-                                    std::size_t end) noexcept {
-    constexpr std::size_t step = 4;
-    const auto hold_word = [](std::span<const Token, step> some) {
-        bool held = false;
-        for (const Token token : some)
-            held = is_block_word(token) || held;
-        return held;
-    };
-    while (begin + step <= end && !hold_word(tokens.subspan(begin).first<step>()))
-        begin += step;
-    while (begin < end && !is_block_word(tokens[begin]))
-        ++begin;
-    return begin;
+// Tokens that are looked at together.
+constexpr std::size_t stretch = 64;
+
+// Which of some tokens, at most `stretch`, open or close a block: the lowest bit is the first.
+[[nodiscard]] std::uint64_t block_words_in(std::span<const Token> tokens) noexcept {
+    std::uint64_t words = 0;
+    for (std::size_t i = 0; i < tokens.size(); ++i)
+        words |= std::uint64_t{is_block_word(tokens[i])} << i;
+    return words;
 }
 
 } // namespace
@@ -135,19 +129,34 @@ std::optional<UnitCut> UnitCutter::next(std::span<const Token> tokens, bool comp
     const std::size_t count = tokens.size() - (complete ? 1 : 0);
     const std::size_t end = complete ? count : count - std::min(count, cutter_lookahead);
     cut_.reset();
-    for (; !cut_; ++at_) {
-        at_ = next_word(tokens, at_, end);
-        if (at_ >= end)
-            break;
-        const Role role = role_of(tokens[at_].kind());
-        const bool may_close = role == Role::closer || role == Role::variables_end;
-        if (may_close && !complete && !sees_semicolons(at_))
+    while (at_ < end && !cut_)
+        if (!look_at(tokens.subspan(at_, std::min(stretch, end - at_)), complete))
             return std::nullopt;
-        see(at_);
-    }
     if (!cut_ && complete && (unit_begin_ < count || !cut_any_))
         cut_before(count);
     return cut_;
+}
+
+// Goes on behind `some` tokens, the next ones, or behind the first one that makes a cut. False when
+// it has to wait for more at a closing word.
+bool UnitCutter::look_at(std::span<const Token> some, bool complete) {
+    const std::size_t begin = at_;
+    at_ += some.size();
+    for (std::uint64_t words = block_words_in(some); words != 0; words &= words - 1) {
+        const std::size_t i = begin + static_cast<std::size_t>(std::countr_zero(words));
+        const Role role = role_of(tokens_[i].kind());
+        const bool may_close = role == Role::closer || role == Role::variables_end;
+        if (may_close && !complete && !sees_semicolons(i)) {
+            at_ = i;
+            return false;
+        }
+        see(i);
+        if (cut_) {
+            at_ = i + 1;
+            return true;
+        }
+    }
+    return true;
 }
 
 // True when the row goes on far enough behind the `;` that follow a closing word.

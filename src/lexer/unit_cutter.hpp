@@ -36,6 +36,7 @@ public:
     void drop(std::size_t count) noexcept;
 
 private:
+    bool look_at(std::span<const Token> some, bool complete);
     void see(std::size_t i);
     void find_cut(std::size_t i);
     void open(std::size_t i);

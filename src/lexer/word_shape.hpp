@@ -15,7 +15,7 @@ namespace iecfront {
 /// A word: letters, digits and underscores, as many of them as there are.
 struct WordShape {
     const char* end;    // behind the last one
-    std::uint64_t head; // the first eight bytes in capitals; the first byte is the lowest
+    std::uint64_t head; // the first eight bytes, folded; the first byte is the lowest
     bool odd;           // two underscores in a row, one at the end, or longer than a token can be
 
     friend bool operator==(const WordShape&, const WordShape&) = default;
@@ -35,10 +35,11 @@ inline constexpr std::size_t head_size = sizeof(std::uint64_t);
     for (const char*& p = shape.end; is_word_part(*p); ++p) {
         const auto place = static_cast<std::size_t>(p - begin);
         if (place < head_size)
-            shape.head |= std::uint64_t{static_cast<unsigned char>(fold(*p))} << (8 * place);
+            shape.head |= std::uint64_t{static_cast<unsigned char>(*p)} << (8 * place);
         if (*p == '_' && (p[1] == '_' || !is_word_part(p[1])))
             shape.odd = true;
     }
+    shape.head = detail::fold_name_bytes(shape.head);
     shape.odd = shape.odd || is_too_long(begin, shape.end);
     return shape;
 }
@@ -112,11 +113,13 @@ inline constexpr std::uint64_t high_bits = 0x80 * ones;
            ~(1U << (mask_size - 1));
 }
 
-/// By the size of a word, what of its first eight bytes belongs to it.
+/// By the size of a word, what of its first eight bytes belongs to it and is left when it is
+/// folded.
 inline constexpr auto head_masks = [] {
     std::array<std::uint64_t, mask_size> table{};
     for (std::size_t size = 0; size < table.size(); ++size)
-        table[size] = size < head_size ? (std::uint64_t{1} << (8 * size)) - 1 : ~std::uint64_t{0};
+        table[size] = detail::fold_name_bytes(
+            size < head_size ? (std::uint64_t{1} << (8 * size)) - 1 : ~std::uint64_t{0});
     return table;
 }();
 
@@ -149,8 +152,7 @@ inline constexpr auto head_masks = [] {
     if (size >= mask_size) [[unlikely]]
         return words::shape_of_long_word(begin, text_end);
     const std::uint64_t head = detail::load_bytes(begin, words::head_size);
-    return {begin + size, detail::fold_name_bytes(head) & words::head_masks[size],
-            words::stray_underscores(masks) != 0};
+    return {begin + size, head & words::head_masks[size], words::stray_underscores(masks) != 0};
 }
 
 } // namespace iecfront

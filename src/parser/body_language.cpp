@@ -11,6 +11,10 @@ namespace {
 constexpr TokenSet common_operators{TokenKind::kw_and, TokenKind::kw_or,  TokenKind::kw_xor,
                                     TokenKind::kw_mod, TokenKind::kw_not, TokenKind::ampersand};
 
+// Words that say something of a body's language, or end it, wherever they stand.
+constexpr TokenSet telling_words =
+    unit_ends | statement_closers | other_closers | chart_openers | chart_closers | statement_words;
+
 } // namespace
 
 /// A name or a literal.
@@ -111,7 +115,11 @@ public:
 
 private:
     void survey();
-    [[nodiscard]] std::uint32_t next_telling(std::uint32_t index) const noexcept;
+    [[nodiscard]] std::uint32_t next_telling(std::uint32_t index) noexcept;
+    [[nodiscard]] std::uint32_t next_beside_statement(std::uint32_t index) noexcept;
+    [[nodiscard]] bool begins_line(std::uint32_t index) const noexcept {
+        return parser_.tokens_[index].first_on_line() && kind(index) != TokenKind::unknown;
+    }
     [[nodiscard]] bool is_decided() const noexcept;
     void count_chart_word(std::uint32_t& index) noexcept;
     void begin_line(std::uint32_t index) noexcept;
@@ -210,19 +218,28 @@ void Parser::BodySurvey::count_token(std::uint32_t index) noexcept {
 
 /// The next token behind `index`, which is not the end, that says something of the language: one of
 /// some kinds, or the first on its line.
-std::uint32_t Parser::BodySurvey::next_telling(std::uint32_t index) const noexcept {
+std::uint32_t Parser::BodySurvey::next_telling(std::uint32_t index) noexcept {
     static constexpr TokenSet telling =
-        unit_ends | statement_closers | other_closers | chart_openers | chart_closers |
-        statement_words |
-        TokenSet{TokenKind::left_parenthesis, TokenKind::right_parenthesis, TokenKind::assign,
-                 TokenKind::equal, TokenKind::semicolon};
-    const auto tells = [](Token token) {
-        return telling.contains(token.kind()) ||
-               (token.first_on_line() && token.kind() != TokenKind::unknown);
-    };
+        telling_words | TokenSet{TokenKind::left_parenthesis, TokenKind::right_parenthesis,
+                                 TokenKind::assign, TokenKind::equal, TokenKind::semicolon};
+    if (statement_on_line_ && line_ == LineKind::other)
+        return next_beside_statement(index);
     do
         ++index;
-    while (!tells(parser_.tokens_[index]));
+    while (!telling.contains(kind(index)) && !begins_line(index));
+    return index;
+}
+
+/// The same in a line that counts as a statement, of which only words tell more. What it leaves
+/// open is counted without branches: no processor foresees where parentheses stand.
+std::uint32_t Parser::BodySurvey::next_beside_statement(std::uint32_t index) noexcept {
+    std::uint32_t depth = depth_;
+    while (!telling_words.contains(kind(++index)) && !begins_line(index)) {
+        depth += kind(index) == TokenKind::left_parenthesis ? 1 : 0;
+        depth -= kind(index) == TokenKind::right_parenthesis && depth > 0 ? 1 : 0;
+        depth = kind(index) == TokenKind::semicolon ? 0 : depth;
+    }
+    depth_ = depth;
     return index;
 }
 

@@ -45,42 +45,19 @@ namespace detail {
     return first | std::uint64_t{last} << (8 * (size - sizeof(last)));
 }
 
-// `fold` of eight bytes at once: the high bit of each sum tells whether the byte is above a bound.
-[[nodiscard]] constexpr std::uint64_t fold_bytes(std::uint64_t word) noexcept {
-    constexpr std::uint64_t ones = 0x0101010101010101U;
-    constexpr std::uint64_t high_bits = 0x80 * ones;
-    const std::uint64_t low = word & ~high_bits;
-    const std::uint64_t from_a = low + (0x80 - 'a') * ones;
-    const std::uint64_t beyond_z = low + (0x7F - 'z') * ones;
-    return word - (((from_a & ~beyond_z & ~word) & high_bits) >> 2);
-}
-
-// `fold_bytes` for what a name is made of: a letter is the only byte of it, but for `_`, that has
-// this bit, and in `_` the one that tells small letters from capitals is not set.
+// Eight bytes without the bit that tells small letters from capitals. Of what names are made of,
+// only a letter and its capital become the same.
 [[nodiscard]] constexpr std::uint64_t fold_name_bytes(std::uint64_t word) noexcept {
-    constexpr std::uint64_t letter_bits = 0x4040404040404040U;
-    return word & ~((word & letter_bits) >> 1);
+    return word & 0xDFDFDFDFDFDFDFDFU;
 }
 
-// Takes the next bytes of a name, folded, into its hash.
+// Takes the next bytes of a name, folded, into its hash, whose upper half they are mixed into.
 [[nodiscard]] constexpr std::uint64_t mix_folded(std::uint64_t hash, std::uint64_t bytes) noexcept {
-    hash ^= bytes;
-    hash *= 0x9E3779B97F4A7C15U; // odd, of mixed bits; what it mixes is in the upper half
-    return hash ^ hash >> 32;
+    return (hash ^ bytes) * 0x9E3779B97F4A7C15U; // odd, of mixed bits
 }
 // The same of bytes as they stand.
 [[nodiscard]] constexpr std::uint64_t mix_name(std::uint64_t hash, std::uint64_t bytes) noexcept {
     return mix_folded(hash, fold_name_bytes(bytes));
-}
-
-// `hash_name` of more than eight bytes.
-[[nodiscard]] constexpr std::uint32_t hash_long_name(std::string_view name) noexcept {
-    constexpr std::size_t step = sizeof(std::uint64_t);
-    std::uint64_t hash = name.size();
-    for (std::size_t i = step; i < name.size(); i += step)
-        hash = mix_name(hash, load_bytes(name.data() + i - step, step));
-    const char* const last = name.data() + name.size() - step; // overlaps with what is before it
-    return static_cast<std::uint32_t>(mix_name(hash, load_bytes(last, step)));
 }
 
 // `names_equal` of names of the same size.
@@ -99,10 +76,13 @@ namespace detail {
 
 /// Hash of a name with its case folded: names that differ in case only have the same (2.1.2).
 [[nodiscard]] constexpr std::uint32_t hash_name(std::string_view name) noexcept {
-    if (name.size() > sizeof(std::uint64_t))
-        return detail::hash_long_name(name);
-    return static_cast<std::uint32_t>(
-        detail::mix_name(name.size(), detail::load_bytes(name.data(), name.size())));
+    constexpr std::size_t step = sizeof(std::uint64_t);
+    const std::size_t size = std::min(name.size(), step);
+    const char* const last = name.data() + name.size() - size; // overlaps with what is before it
+    std::uint64_t hash = detail::mix_name(name.size(), detail::load_bytes(name.data(), size));
+    for (std::size_t i = step; i + step < name.size(); i += step)
+        hash = detail::mix_name(hash, detail::load_bytes(name.data() + i, step));
+    return static_cast<std::uint32_t>(detail::mix_name(hash, detail::load_bytes(last, size)) >> 32);
 }
 
 /// True when both are the same name: equal but for case.
