@@ -146,6 +146,20 @@ TEST(BodyLanguage, OfStatementsSurvivesAMissingSemicolon) {
     }
 }
 
+// What stands in parentheses over several lines is no statement of its own, and a `;` ends it; a
+// `)` without its `(` is no end of anything.
+TEST(BodyLanguage, OfStatementsOverSeveralLines) {
+    const std::vector<std::string> three = {"LD a", "ST b", "ST c"};
+    const auto is_instruction_list = [&three](std::vector<std::string> body) {
+        body.insert(body.end(), three.begin(), three.end());
+        const SyntaxTree tree = parse_body(body);
+        return count_nodes(tree, ast::NodeKind::instruction_list) == 1;
+    };
+    EXPECT_TRUE(is_instruction_list({"x := f(a := 1,", "b := 2,", "c := 3);"}));
+    EXPECT_FALSE(is_instruction_list({"x := f(a := 1;", "b := 2", "c := 3", "d := 4"}));
+    EXPECT_FALSE(is_instruction_list({"x := a)", "b := 2", "c := 3", "d := 4"}));
+}
+
 // The action is as long as a body, and all of it stands outside of elements then.
 TEST(BodyLanguage, OfAChartSurvivesAMissingClosingWord) {
     const std::pair<const char*, const char*> closing_words[] = {
