@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 #include <utility>
 
 namespace iecfront {
@@ -112,13 +113,22 @@ constexpr auto block_words = [] {
 }
 
 // Tokens that are looked at together.
-constexpr std::size_t stretch = 64;
+constexpr std::size_t stretch = std::numeric_limits<std::uint64_t>::digits;
 
 // Which of some tokens, at most `stretch`, open or close a block: the lowest bit is the first.
+// Eight of them in one go, so that compilers know by how much to shift.
 [[nodiscard]] std::uint64_t block_words_in(std::span<const Token> tokens) noexcept {
+    constexpr std::size_t step = 8;
     std::uint64_t words = 0;
-    for (std::size_t i = 0; i < tokens.size(); ++i)
-        words |= std::uint64_t{is_block_word(tokens[i])} << i;
+    std::size_t at = 0;
+    for (; tokens.size() - at >= step; at += step) {
+        std::uint64_t some = 0;
+        for (std::size_t i = 0; i < step; ++i)
+            some |= std::uint64_t{is_block_word(tokens[at + i])} << i;
+        words |= some << at;
+    }
+    for (; at < tokens.size(); ++at)
+        words |= std::uint64_t{is_block_word(tokens[at])} << at;
     return words;
 }
 

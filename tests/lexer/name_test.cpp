@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -61,6 +62,22 @@ TEST(Name, OnlyLettersOfAsciiFold) {
     }
     EXPECT_FALSE(names_equal("@", "`")); // they differ as `A` and `a` do
     EXPECT_EQ(folded("\xC3\xA4"), "\xC3\xA4");
+}
+
+// Names are told apart by hashes, and tables of so many slots as a power of two take the lower
+// bits.
+TEST(NameHash, TellsNumberedNamesApart) {
+    std::set<std::uint32_t> all;
+    std::set<std::uint32_t> lower;
+    for (int first = 10; first < 100; ++first)
+        for (int second = 10; second < 100; ++second) {
+            const std::uint32_t hash = hash_name("Motor_" + std::to_string(first) + "_Valve_" +
+                                                 std::to_string(second) + "_x");
+            all.insert(hash);
+            lower.insert(hash % 0x10000);
+        }
+    EXPECT_EQ(all.size(), 8100U);
+    EXPECT_GT(lower.size(), 6000U);
 }
 
 } // namespace

@@ -46,7 +46,7 @@ std::vector<UnitCut> cuts_of_growing_row(std::span<const Token> tokens) {
     UnitCutter cutter;
     std::vector<UnitCut> cuts;
     std::size_t dropped = 0;
-    for (std::size_t end = 0; end <= tokens.size();) {
+    for (std::size_t end = 0; end <= tokens.size() && cuts.size() <= tokens.size();) {
         const auto row = tokens.first(end).subspan(dropped);
         const std::optional<UnitCut> cut = cutter.next(row, end == tokens.size());
         if (!cut) {
@@ -113,10 +113,9 @@ TEST(UnitCutter, SemicolonsBehindTheClosingWordBelongToIt) {
 }
 
 TEST(UnitCutter, WaitsForAllSemicolonsBehindTheClosingWord) {
-    for (const int count : {1, 10, 100})
-        expect_same_in_growing_row("PROGRAM p END_PROGRAM " +
-                                   std::string(static_cast<std::size_t>(count), ';') +
-                                   " TYPE END_TYPE");
+    for (const std::string unit : {"PROGRAM p END_PROGRAM ", "VAR_GLOBAL a : INT; END_VAR "})
+        for (const std::size_t count : {1U, 10U, 100U})
+            expect_same_in_growing_row(unit + std::string(count, ';') + " TYPE END_TYPE");
 }
 
 TEST(UnitCutter, WordsOfProseOpenNothing) {

@@ -51,9 +51,10 @@ namespace detail {
     return word & 0xDFDFDFDFDFDFDFDFU;
 }
 
-// Takes the next bytes of a name, folded, into its hash, whose upper half they are mixed into.
+// Takes the next bytes of a name, folded, into its hash. A product mixes bits upwards only: what is
+// mixed already comes down for the next one.
 [[nodiscard]] constexpr std::uint64_t mix_folded(std::uint64_t hash, std::uint64_t bytes) noexcept {
-    return (hash ^ bytes) * 0x9E3779B97F4A7C15U; // odd, of mixed bits
+    return (std::rotl(hash, 32) ^ bytes) * 0x9E3779B97F4A7C15U; // odd, of mixed bits
 }
 // The same of bytes as they stand.
 [[nodiscard]] constexpr std::uint64_t mix_name(std::uint64_t hash, std::uint64_t bytes) noexcept {
