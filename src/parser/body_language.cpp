@@ -15,6 +15,16 @@ constexpr TokenSet common_operators{TokenKind::kw_and, TokenKind::kw_or,  TokenK
 constexpr TokenSet telling_words =
     unit_ends | statement_closers | other_closers | chart_openers | chart_closers | statement_words;
 
+// How many parentheses are open behind a token, where `depth` are before it.
+[[nodiscard]] constexpr std::uint32_t depth_behind(TokenKind kind, std::uint32_t depth) noexcept {
+    switch (kind) {
+    case TokenKind::left_parenthesis: return depth + 1;
+    case TokenKind::right_parenthesis: return depth - (depth > 0 ? 1 : 0);
+    case TokenKind::semicolon: return 0;
+    default: return depth;
+    }
+}
+
 } // namespace
 
 /// A name or a literal.
@@ -117,7 +127,7 @@ private:
     void survey();
     [[nodiscard]] std::uint32_t next_telling(std::uint32_t index) noexcept;
     [[nodiscard]] std::uint32_t next_beside_statement(std::uint32_t index) noexcept;
-    [[nodiscard]] bool begins_line(std::uint32_t index) const noexcept {
+    [[nodiscard]] bool tells_by_line(std::uint32_t index) const noexcept {
         return parser_.tokens_[index].first_on_line() && kind(index) != TokenKind::unknown;
     }
     [[nodiscard]] bool is_decided() const noexcept;
@@ -196,16 +206,13 @@ bool Parser::BodySurvey::is_call(std::uint32_t open) const noexcept {
 }
 
 void Parser::BodySurvey::count_token(std::uint32_t index) noexcept {
-    switch (const TokenKind here = kind(index)) {
-    case TokenKind::left_parenthesis:
-        count_statement(is_call(index));
-        ++depth_;
-        break;
-    case TokenKind::right_parenthesis: depth_ -= depth_ > 0 ? 1 : 0; break;
+    const TokenKind here = kind(index);
+    switch (here) {
+    case TokenKind::left_parenthesis: count_statement(is_call(index)); break;
+    case TokenKind::right_parenthesis: break;
     case TokenKind::assign:
     case TokenKind::equal: count_statement(line_ == LineKind::other && depth_ == 0); break;
     case TokenKind::semicolon:
-        depth_ = 0;
         count_statement(line_ != LineKind::operation);
         instructions_ -= line_ == LineKind::application ? 1 : 0;
         line_ = line_ == LineKind::application ? LineKind::other : line_;
@@ -214,6 +221,7 @@ void Parser::BodySurvey::count_token(std::uint32_t index) noexcept {
         count_statement(statement_words.contains(here));
         closing_words_ = closing_words_ || statement_closers.contains(here);
     }
+    depth_ = depth_behind(here, depth_);
 }
 
 /// The next token behind `index`, which is not the end, that says something of the language: one of
@@ -226,20 +234,14 @@ std::uint32_t Parser::BodySurvey::next_telling(std::uint32_t index) noexcept {
         return next_beside_statement(index);
     do
         ++index;
-    while (!telling.contains(kind(index)) && !begins_line(index));
+    while (!telling.contains(kind(index)) && !tells_by_line(index));
     return index;
 }
 
-/// The same in a line that counts as a statement, of which only words tell more. What it leaves
-/// open is counted without branches: no processor foresees where parentheses stand.
+/// The same in a line that counts as a statement, of which only words tell more.
 std::uint32_t Parser::BodySurvey::next_beside_statement(std::uint32_t index) noexcept {
-    std::uint32_t depth = depth_;
-    while (!telling_words.contains(kind(++index)) && !begins_line(index)) {
-        depth += kind(index) == TokenKind::left_parenthesis ? 1 : 0;
-        depth -= kind(index) == TokenKind::right_parenthesis && depth > 0 ? 1 : 0;
-        depth = kind(index) == TokenKind::semicolon ? 0 : depth;
-    }
-    depth_ = depth;
+    while (!telling_words.contains(kind(++index)) && !tells_by_line(index))
+        depth_ = depth_behind(kind(index), depth_);
     return index;
 }
 

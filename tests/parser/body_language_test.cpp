@@ -158,6 +158,7 @@ TEST(BodyLanguage, OfStatementsOverSeveralLines) {
     EXPECT_TRUE(is_instruction_list({"x := f(a := 1,", "b := 2,", "c := 3);"}));
     EXPECT_FALSE(is_instruction_list({"x := f(a := 1;", "b := 2", "c := 3", "d := 4"}));
     EXPECT_FALSE(is_instruction_list({"x := a)", "b := 2", "c := 3", "d := 4"}));
+    EXPECT_FALSE(is_instruction_list({"x := f(a)", "b := 2", "c := 3", "d := 4"}));
 }
 
 // The action is as long as a body, and all of it stands outside of elements then.

@@ -20,7 +20,7 @@ namespace iecfront {
 
 /// A self-contained piece of a file: one library element declaration (B.0) with the white space,
 /// comments and pragmas before it, and the comments and pragmas behind it on the line of its end;
-/// the last unit of a file also holds all that follows. Immutable.
+/// the last unit of a file also holds all that follows. Immutable, but for the table of `lines()`.
 /// Everything in it counts from its own start, so that it stays as it is when the text before it
 /// changes, and can be shared by the trees of several versions of a file, and by threads.
 class IECFRONT_API Unit {
@@ -88,7 +88,8 @@ public:
         return text(range(node));
     }
 
-    /// Bytes of memory that the unit holds beside its text; more when `lines()` was asked for.
+    /// Bytes of memory that the unit holds beside its text; more as soon as somebody asks for
+    /// `lines()`, as positions, dumps and the formatter do.
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
 private:
