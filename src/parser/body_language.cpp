@@ -238,7 +238,8 @@ std::uint32_t Parser::BodySurvey::next_telling(std::uint32_t index) noexcept {
     return index;
 }
 
-/// The same in a line that counts as a statement, of which only words tell more.
+/// The same in a line that counts as a statement, of which only words tell more. The parentheses
+/// that are passed are counted.
 std::uint32_t Parser::BodySurvey::next_beside_statement(std::uint32_t index) noexcept {
     while (!telling_words.contains(kind(++index)) && !tells_by_line(index))
         depth_ = depth_behind(kind(index), depth_);

@@ -161,6 +161,13 @@ TEST(BodyLanguage, OfStatementsOverSeveralLines) {
     EXPECT_FALSE(is_instruction_list({"x := f(a)", "b := 2", "c := 3", "d := 4"}));
 }
 
+// Until its `;` makes a statement of it, a line reads as an instruction.
+TEST(BodyLanguage, OfLinesThatASemicolonMakesStatements) {
+    const SyntaxTree tree = parse_body(
+        {"foo a EXIT;", "foo a EXIT;", "foo a EXIT;", "foo a EXIT;", "LD a", "ST b", "ST c"});
+    EXPECT_EQ(count_nodes(tree, ast::NodeKind::instruction_list), 0U);
+}
+
 // The action is as long as a body, and all of it stands outside of elements then.
 TEST(BodyLanguage, OfAChartSurvivesAMissingClosingWord) {
     const std::pair<const char*, const char*> closing_words[] = {
