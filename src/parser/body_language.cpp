@@ -113,10 +113,11 @@ bool Parser::ends_operator(std::uint32_t index) const noexcept {
 /// Counts what speaks for each language in a body.
 class Parser::BodySurvey {
 public:
-    explicit BodySurvey(Parser& parser)
+    /// Of the body that begins at the current token.
+    BodySurvey(Parser& parser, TokenKind closer)
         : parser_(parser),
           begin_(parser.at_),
-          closer_(parser.open_.back().closer),
+          closer_(closer),
           misspelt_(parser.misspelt_chart_word() != TokenKind::end_of_unit),
           begins_chart_(parser.begins_chart_element(begin_) || misspelt_),
           chart_words_(misspelt_ ? 1 : 0) {}
@@ -278,7 +279,20 @@ BodyLanguage Parser::BodySurvey::language() {
 /// The language of the body that begins here (6.2 A28). Each line speaks for one language, and the
 /// majority decides, so that one mistake never turns a whole body into another language.
 BodyLanguage Parser::body_language() {
-    return BodySurvey(*this).language();
+    return BodySurvey(*this, open_.back().closer).language();
+}
+
+/// There is something to report in it.
+void Parser::ask_presumed_body() {
+    const std::uint32_t here = at_;
+    move_to(presumed_body_->begin);
+    const BodyLanguage language = BodySurvey(*this, presumed_body_->closer).language();
+    move_to(here);
+    presumed_body_.reset();
+    if (language == BodyLanguage::structured_text)
+        return;
+    misjudged_ = true;
+    move_to_end();
 }
 
 } // namespace iecfront

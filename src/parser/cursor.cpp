@@ -239,9 +239,10 @@ Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments argume
     if (expected_ != nullptr && !stopped_at_ && id != DiagnosticId::empty_statement_list &&
         !holds(*expected_, diagnostics_.back())) {
         stopped_at_ = at_;
-        end_ = count_;
-        move_to(count_);
+        move_to_end();
     }
+    if (presumed_body_)
+        ask_presumed_body();
     return {*this, diagnostics_.size() - 1};
 }
 

@@ -60,6 +60,12 @@ public:
         balanced_ = true;
     }
 
+    /// Lets it take each body that begins with an assignment or a block of statements for
+    /// statements, and ask its lines only when there is something to report in it.
+    void presume_statements() noexcept { presumes_statements_ = true; }
+    /// True when its lines then say that it is none: what is read is of no use.
+    [[nodiscard]] bool misjudged() const noexcept { return misjudged_; }
+
     // ---- library.cpp: B.0
     const ast::LibraryUnit* parse_library_unit();
 
@@ -125,6 +131,11 @@ private:
     void move_to(std::uint32_t index) noexcept {
         at_ = index;
         kind_ = tokens_[index].kind();
+    }
+    /// Leaves all that follows unread.
+    void move_to_end() noexcept {
+        end_ = count_;
+        move_to(count_);
     }
     /// Takes all tokens up to `index`, and that one.
     void advance_past(std::uint32_t index) noexcept {
@@ -635,9 +646,17 @@ private:
     void skip_parameters();
     void skip_rest_of_head();
     const ast::Body* parse_body();
+    [[nodiscard]] bool at_presumable_statements();
+    const ast::Body* parse_presumed_statements();
     const ast::Body* parse_empty_body();
     [[nodiscard]] BodyLanguage body_language(); // body_language.cpp
     class BodySurvey;
+    /// A body that is read as statements, and whose lines were not asked yet.
+    struct PresumedBody {
+        std::uint32_t begin;
+        TokenKind closer;
+    };
+    void ask_presumed_body();
     [[nodiscard]] std::uint32_t chart_element_end(std::uint32_t index) const noexcept;
     enum class LineKind { operation, application, other };
     [[nodiscard]] LineKind line_kind(std::uint32_t index, LineKind before) const noexcept;
@@ -1100,6 +1119,9 @@ private:
     std::vector<Diagnostic> diagnostics_;
     const std::vector<Diagnostic>* expected_ = nullptr; // see expect_reports()
     std::optional<std::uint32_t> stopped_at_;
+    std::optional<PresumedBody> presumed_body_;
+    bool presumes_statements_ = false;
+    bool misjudged_ = false;
     std::vector<OpenBlock> open_;
 
     struct ReservedWord {

@@ -225,6 +225,8 @@ Parser::Children<ast::VariableDeclarations> Parser::parse_declaration_blocks(Pla
 const ast::Body* Parser::parse_body() {
     if (at(unit_ends) || at(open_.back().closer) || at_misspelt_closer())
         return parse_empty_body();
+    if (at_presumable_statements())
+        return parse_presumed_statements();
     const BodyLanguage language = body_language();
     if (language == BodyLanguage::instruction_list)
         return parse_instruction_list();
@@ -234,6 +236,19 @@ const ast::Body* Parser::parse_body() {
         return parse_sequential_function_chart();
     }
     return parse_statement_list("in a body");
+}
+
+/// True at what begins a body of statements as nothing else does.
+bool Parser::at_presumable_statements() {
+    return presumes_statements_ && (at_plain_assignment() || at(block_statements)) && balanced();
+}
+
+/// Part of function_body, function_block_body: a statement_list as long as nothing is reported.
+const ast::Body* Parser::parse_presumed_statements() {
+    presumed_body_ = {at_, open_.back().closer};
+    const ast::Body* body = parse_statement_list("in a body");
+    presumed_body_.reset();
+    return body;
 }
 
 /// In place of function_block_body: nothing at all between declarations and closing word. With a

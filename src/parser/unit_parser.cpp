@@ -45,19 +45,33 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
             {DiagnosticId::identifier_too_long, found->range(), {std::uint64_t{limit}}, {}, {}});
 }
 
-/// Makes the tree. Where a single token is out of place, it is that of the repaired text.
-[[nodiscard]] Reading read(const ParserInput& input, ParserArena& arena) {
-    const std::size_t kept = arena.used();
+/// Makes the tree as the text is. Nothing when statements were presumed where there are none.
+[[nodiscard]] std::optional<Reading> read_unrepaired(const ParserInput& input, ParserArena& arena,
+                                                     bool presume_statements) {
     Parser parser(input.text, input.tokens, input.lexical, input.opener, arena, input.options);
     if (input.balanced)
         parser.know_balanced();
+    if (presume_statements)
+        parser.presume_statements();
     Reading reading{parser.parse_fragment(input.options.read_as), {}};
     reading.reports = parser.take_diagnostics();
-    if (arena.full())
-        return reading;
-    if (std::optional<Reading> repaired = repair(input, reading.reports, arena, kept))
-        reading = std::move(*repaired);
-    return reading;
+    return parser.misjudged() ? std::nullopt : std::optional(std::move(reading));
+}
+
+/// Makes the tree. Where a single token is out of place, it is that of the repaired text. Nothing
+/// when there was not enough room.
+[[nodiscard]] std::optional<Reading> read(const ParserInput& input, ParserArena& arena) {
+    const std::size_t kept = arena.used();
+    // Where the lexer has reported something the parser does not, and would never ask.
+    std::optional<Reading> reading = read_unrepaired(input, arena, input.lexical.empty());
+    if (!reading && !arena.full()) {
+        arena.rewind(kept);
+        reading = read_unrepaired(input, arena, false);
+    }
+    if (reading && !arena.full())
+        if (std::optional<Reading> repaired = repair(input, reading->reports, arena, kept))
+            reading = std::move(repaired);
+    return arena.full() ? std::nullopt : std::move(reading);
 }
 
 [[nodiscard]] bool holds_line_end(std::string_view text) noexcept {
@@ -250,16 +264,17 @@ bool UnitReader::parse_in_room(Unit::Parts& parts) {
     if (lengths_ > options_.maximum_identifier_length)
         report_long_identifier(tokens, options_.maximum_identifier_length, lexical);
     sort_by_place(lexical);
-    Reading reading = read({parts.text, tokens, lexical, opener(), balanced(), options_}, room_);
-    if (room_.full())
+    std::optional<Reading> reading =
+        read({parts.text, tokens, lexical, opener(), balanced(), options_}, room_);
+    if (!reading)
         return false;
-    std::ranges::move(reading.reports, std::back_inserter(lexical));
+    std::ranges::move(reading->reports, std::back_inserter(lexical));
     parts.diagnostics = std::move(lexical);
     parts.arena = room_.trimmed();
     parts.tokens = {parts.arena.counterpart(tokens.data(), room_), tokens.size() - 1};
     if (!trivia.empty())
         parts.trivia = {parts.arena.counterpart(trivia.data(), room_), trivia.size()};
-    parts.root = parts.arena.counterpart(reading.root, room_);
+    parts.root = parts.arena.counterpart(reading->root, room_);
     return true;
 }
 

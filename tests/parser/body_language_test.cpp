@@ -168,6 +168,20 @@ TEST(BodyLanguage, OfLinesThatASemicolonMakesStatements) {
     EXPECT_EQ(count_nodes(tree, ast::NodeKind::instruction_list), 0U);
 }
 
+// What the lexer has reported, the parser does not report again; the lines are asked nevertheless.
+TEST(BodyLanguage, OfInstructionsWithMalformedOperandsSurvivesAStatement) {
+    const SyntaxTree tree = parse_body({"x := 1;", "LD 5A", "ADD 5A"});
+    EXPECT_EQ(count_nodes(tree, ast::NodeKind::instruction_list), 1U);
+}
+
+// A stray closing word seems to end the action behind a statement without a fault.
+TEST(BodyLanguage, OfInstructionsWithoutEndOfActionSurvivesAStatement) {
+    const SyntaxTree tree =
+        parse_body({"INITIAL_STEP s: END_STEP", "ACTION k:", "IF a THEN b := 1; END_IF;", "END_IF",
+                    "LD a", "ST b"});
+    EXPECT_EQ(count_nodes(tree, ast::NodeKind::instruction_list), 1U);
+}
+
 // The action is as long as a body, and all of it stands outside of elements then.
 TEST(BodyLanguage, OfAChartSurvivesAMissingClosingWord) {
     const std::pair<const char*, const char*> closing_words[] = {
