@@ -76,20 +76,31 @@ inline constexpr std::size_t most_rows = 255;
         all = _mm_or_si128(all, load_block(bytes + i));
     return _mm_movemask_epi8(all) == 0;
 }
+/// The sum of sixteen bytes without sign.
+[[nodiscard]] inline std::uint32_t sum_of_bytes(__m128i bytes) noexcept {
+    const __m128i sums = _mm_sad_epu8(bytes, _mm_setzero_si128()); // of either half
+    return static_cast<std::uint32_t>(_mm_cvtsi128_si32(sums) + _mm_extract_epi16(sums, 4));
+}
 [[nodiscard]] inline std::uint32_t count_line_ends_in(const char* bytes,
                                                       std::size_t rows) noexcept {
     const __m128i feed = _mm_set1_epi8('\n');
+    const __m128i carriage_return = _mm_set1_epi8('\r');
+    const char* const end = bytes + rows * mask_size;
     __m128i counts = _mm_setzero_si128(); // sixteen of one byte
-    for (const char* const end = bytes + rows * mask_size; bytes != end; bytes += mask_size) {
-        const __m128i here = load_block(bytes);
-        const __m128i feeds_behind = _mm_cmpeq_epi8(load_block(bytes + 1), feed);
-        const __m128i returns = _mm_cmpeq_epi8(here, _mm_set1_epi8('\r'));
-        const __m128i ends =
-            _mm_or_si128(_mm_cmpeq_epi8(here, feed), _mm_andnot_si128(feeds_behind, returns));
-        counts = _mm_sub_epi8(counts, ends); // which is -1 where a line ends
+    __m128i returns = _mm_setzero_si128();
+    for (const char* p = bytes; p != end; p += mask_size) {
+        const __m128i here = load_block(p);
+        counts = _mm_sub_epi8(counts, _mm_cmpeq_epi8(here, feed)); // which is -1 where there is one
+        returns = _mm_or_si128(returns, _mm_cmpeq_epi8(here, carriage_return));
     }
-    const __m128i sums = _mm_sad_epu8(counts, _mm_setzero_si128()); // of either half
-    return static_cast<std::uint32_t>(_mm_cvtsi128_si32(sums) + _mm_extract_epi16(sums, 4));
+    if (_mm_movemask_epi8(returns) == 0)
+        return sum_of_bytes(counts);
+    for (const char* p = bytes; p != end; p += mask_size) { // and those that no line feed follows
+        const __m128i lone = _mm_andnot_si128(_mm_cmpeq_epi8(load_block(p + 1), feed),
+                                              _mm_cmpeq_epi8(load_block(p), carriage_return));
+        counts = _mm_sub_epi8(counts, lone);
+    }
+    return sum_of_bytes(counts);
 }
 
 #else
