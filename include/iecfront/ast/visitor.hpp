@@ -18,24 +18,28 @@ enum class Walk : std::uint8_t {
 
 namespace detail {
 
-/// Nodes that a traversal has still to come to, the next one on top.
+/// Nodes that a traversal has still to come to, the next one on top. Where the top is, the
+/// traversal keeps itself, as a local variable, so that it need not wait for memory.
 class PendingNodes {
 public:
-    /// Of a traversal that begins at `root`.
-    explicit PendingNodes(const Node& root) : nodes_(128) { nodes_[size_++] = &root; }
+    PendingNodes() : nodes_(128) {}
     PendingNodes(const PendingNodes&) = delete;
     PendingNodes& operator=(const PendingNodes&) = delete;
 
-    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    [[nodiscard]] std::size_t size() const noexcept { return size_; }
-    /// Takes the one on top.
-    const Node& pop() noexcept { return *nodes_[--size_]; }
-    /// The first child of `node` comes to the top.
-    IECFRONT_API void push_children(const Node& node);
+    /// The top when none is left.
+    [[nodiscard]] const Node** bottom() noexcept { return nodes_.data(); }
+    /// Puts the children of `node` on top, the first one last, and gives the new top.
+    [[nodiscard]] IECFRONT_API const Node** push_children(const Node& node, const Node** top);
 
 private:
-    std::vector<const Node*> nodes_; // those from `size_` on are not used
-    std::size_t size_ = 0;
+    [[nodiscard]] bool has_room(const Node** top, std::size_t count) noexcept {
+        return static_cast<std::size_t>(nodes_.data() + nodes_.size() - top) >= count;
+    }
+    template<class Struct>
+    [[nodiscard]] const Node** push_children_of(const Struct& node, const Node** top);
+    [[nodiscard]] const Node** make_room(const Node** top, std::size_t count);
+
+    std::vector<const Node*> nodes_; // those from the top on are not used
 };
 
 } // namespace detail
@@ -50,16 +54,19 @@ bool walk(const Node& root, Enter&& enter, Leave&& leave) {
         std::size_t pending; // when all its children are done
     };
     std::vector<Open> open;
-    detail::PendingNodes pending(root);
-    while (!pending.empty()) {
-        const Node& node = pending.pop();
+    detail::PendingNodes pending;
+    const Node** top = pending.bottom();
+    *top++ = &root;
+    while (top != pending.bottom()) {
+        const Node& node = **--top;
         const Walk next = enter(node);
         if (next == Walk::stop)
             return false;
-        open.push_back({&node, pending.size()});
+        open.push_back({&node, static_cast<std::size_t>(top - pending.bottom())});
         if (next == Walk::into && can_have_children(node.kind))
-            pending.push_children(node);
-        for (; !open.empty() && open.back().pending == pending.size(); open.pop_back())
+            top = pending.push_children(node, top);
+        const auto left = static_cast<std::size_t>(top - pending.bottom());
+        for (; !open.empty() && open.back().pending == left; open.pop_back())
             leave(*open.back().node);
     }
     return true;
@@ -68,14 +75,16 @@ bool walk(const Node& root, Enter&& enter, Leave&& leave) {
 /// The same without `leave`.
 template<class Enter>
 bool walk(const Node& root, Enter&& enter) {
-    detail::PendingNodes pending(root);
-    while (!pending.empty()) {
-        const Node& node = pending.pop();
+    detail::PendingNodes pending;
+    const Node** top = pending.bottom();
+    *top++ = &root;
+    while (top != pending.bottom()) {
+        const Node& node = **--top;
         const Walk next = enter(node);
         if (next == Walk::stop)
             return false;
         if (next == Walk::into && can_have_children(node.kind))
-            pending.push_children(node);
+            top = pending.push_children(node, top);
     }
     return true;
 }
