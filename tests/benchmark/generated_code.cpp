@@ -77,33 +77,35 @@ void CodeWriter::assignment() {
     const std::size_t kind = random_.below(100);
     std::string code;
     if (kind < 45)
-        code = random_.pick(variables_.flags) + " := " + flag_expression(0);
+        code = joined({random_.pick(variables_.flags), " := ", flag_expression(0)});
     else if (kind < 70)
-        code = real_variable() + " := " + real_expression(0);
+        code = joined({real_variable(), " := ", real_expression(0)});
     else if (kind < 86)
-        code = random_.pick(variables_.integers) + " := " + integer_expression();
+        code = joined({random_.pick(variables_.integers), " := ", integer_expression()});
     else if (kind < 92 && !variables_.states.empty())
-        code = random_.pick(variables_.states) + " := " + random_.pick(states);
+        code = joined({random_.pick(variables_.states), " := ", random_.pick(states)});
     else if (kind < 95 && !variables_.texts.empty())
-        code = random_.pick(variables_.texts) + " := " + make_string(random_);
+        code = joined({random_.pick(variables_.texts), " := ", make_string(random_)});
     else
-        code = random_.pick(variables_.times) + " := " + time_expression();
+        code = joined({random_.pick(variables_.times), " := ", time_expression()});
     out_.line(code + ";", 12);
 }
 
 void CodeWriter::invocation() {
     if (!variables_.timers.empty() && random_.chance(60)) {
-        out_.line(random_.pick(variables_.timers) + "(IN := " + flag_expression(1) +
-                      ", PT := " + make_duration(random_) + ");",
+        out_.line(joined({random_.pick(variables_.timers), "(IN := ", flag_expression(1),
+                          ", PT := ", make_duration(random_), ");"}),
                   12);
     } else if (!variables_.counters.empty() && random_.chance(40)) {
-        out_.line(random_.pick(variables_.counters) + "(CU := " + flag_operand(2) + ", R := " +
-                  random_.pick(variables_.flags) + ", PV := " + make_integer(random_) + ");");
+        out_.line(joined({random_.pick(variables_.counters), "(CU := ", flag_operand(2),
+                          ", R := ", random_.pick(variables_.flags),
+                          ", PV := ", make_integer(random_), ");"}));
     } else if (!variables_.devices.empty()) {
-        out_.line(random_.pick(variables_.devices) + "(" + make_name(random_) +
-                  " := " + flag_operand(1) + ",");
-        out_.line("    " + make_name(random_) + " := " + real_expression(1) + ",");
-        out_.line("    " + make_name(random_) + " => " + random_.pick(variables_.flags) + ");");
+        out_.line(joined({random_.pick(variables_.devices), "(", make_name(random_),
+                          " := ", flag_operand(1), ","}));
+        out_.line(joined({"    ", make_name(random_), " := ", real_expression(1), ","}));
+        out_.line(
+            joined({"    ", make_name(random_), " => ", random_.pick(variables_.flags), ");"}));
     } else {
         assignment();
     }
@@ -143,8 +145,8 @@ void CodeWriter::case_statement(std::size_t depth) {
 }
 
 void CodeWriter::for_statement(std::size_t depth) {
-    out_.line("FOR " + random_.pick(variables_.integers) + " := " + make_integer(random_) + " TO " +
-                  integer_expression() + (random_.chance(15) ? " BY 2" : "") + " DO",
+    out_.line(joined({"FOR ", random_.pick(variables_.integers), " := ", make_integer(random_),
+                      " TO ", integer_expression(), random_.chance(15) ? " BY 2" : "", " DO"}),
               8);
     block_of_statements(depth);
     if (random_.chance(15)) {
@@ -200,17 +202,17 @@ std::string CodeWriter::comparison() {
                                              " = "sv, " = "sv, " <> "sv};
     const std::string_view sign = random_.pick(operators);
     if (!variables_.states.empty() && random_.chance(25))
-        return random_.pick(variables_.states) + " = " + random_.pick(states);
+        return joined({random_.pick(variables_.states), " = ", random_.pick(states)});
     if (random_.chance(50))
-        return real_variable() + sign + real_operand(2);
-    return random_.pick(variables_.integers) + sign + make_integer(random_);
+        return joined({real_variable(), sign, real_operand(2)});
+    return joined({random_.pick(variables_.integers), sign, make_integer(random_)});
 }
 
 std::string CodeWriter::real_expression(std::size_t depth) {
     static constexpr std::array operators = {" + "sv, " - "sv, " * "sv, " / "sv, " * "sv, " ** "sv};
     std::string code = random_.chance(4) ? "-" + real_variable() : real_operand(depth);
     while (random_.chance(depth == 0 ? 38 : 25))
-        code = code + random_.pick(operators) + real_operand(depth);
+        code += joined({random_.pick(operators), real_operand(depth)});
     return code;
 }
 
@@ -219,15 +221,15 @@ std::string CodeWriter::real_operand(std::size_t depth) {
     if (kind < 10)
         return "(" + real_expression(depth + 1) + ")";
     if (kind < 15)
-        return "LIMIT(" + make_real(random_) + ", " + real_variable() + ", " + make_real(random_) +
-               ")";
+        return joined(
+            {"LIMIT(", make_real(random_), ", ", real_variable(), ", ", make_real(random_), ")"});
     if (kind < 20)
         return "INT_TO_REAL(" + random_.pick(variables_.integers) + ")";
     if (kind < 25)
-        return "SEL(" + flag_operand(2) + ", " + real_variable() + ", " + real_operand(2) + ")";
+        return joined({"SEL(", flag_operand(2), ", ", real_variable(), ", ", real_operand(2), ")"});
     if (kind < 30)
-        return make_name(random_) + "(" + make_name(random_) + " := " + real_operand(2) + ", " +
-               make_name(random_) + " := " + make_integer(random_) + ")";
+        return joined({make_name(random_), "(", make_name(random_), " := ", real_operand(2), ", ",
+                       make_name(random_), " := ", make_integer(random_), ")"});
     if (kind < 55)
         return make_real(random_);
     return real_variable();
@@ -236,9 +238,10 @@ std::string CodeWriter::real_operand(std::size_t depth) {
 std::string CodeWriter::real_variable() {
     const std::size_t kind = random_.below(100);
     if (kind < 15 && !variables_.arrays.empty())
-        return random_.pick(variables_.arrays) + "[" + random_.pick(variables_.integers) + "]";
+        return joined(
+            {random_.pick(variables_.arrays), "[", random_.pick(variables_.integers), "]"});
     if (kind < 30 && !variables_.records.empty())
-        return random_.pick(variables_.records) + "." + random_.pick(elements);
+        return joined({random_.pick(variables_.records), ".", random_.pick(elements)});
     return random_.pick(variables_.reals);
 }
 
@@ -248,10 +251,10 @@ std::string CodeWriter::integer_expression() {
     if (kind < 35)
         return make_integer(random_);
     if (kind < 70)
-        return variable + (random_.chance(60) ? " + " : " - ") + make_integer(random_);
+        return joined({variable, random_.chance(60) ? " + " : " - ", make_integer(random_)});
     if (kind < 80)
-        return "(" + variable + " MOD " + make_integer(random_) + ") * " +
-               random_.pick(variables_.integers);
+        return joined({"(", variable, " MOD ", make_integer(random_), ") * ",
+                       random_.pick(variables_.integers)});
     if (kind < 88)
         return "REAL_TO_INT(" + real_expression(1) + ")";
     return variable;
@@ -261,7 +264,7 @@ std::string CodeWriter::time_expression() {
     if (!variables_.timers.empty() && random_.chance(40))
         return random_.pick(variables_.timers) + ".ET";
     if (random_.chance(40))
-        return random_.pick(variables_.times) + " + " + make_duration(random_);
+        return joined({random_.pick(variables_.times), " + ", make_duration(random_)});
     return make_duration(random_);
 }
 
@@ -298,26 +301,33 @@ void CodeWriter::instructions(std::size_t lines) {
 
 void CodeWriter::logic_network() {
     static constexpr std::array operators = {"AND"sv, "ANDN"sv, "OR"sv, "ORN"sv, "XOR"sv, "AND"sv};
-    instruction(random_.chance(30) ? "LDN" : "LD", random_.pick(variables_.flags));
-    for (std::size_t i = random_.between(1, 5); i > 0; --i)
-        instruction(random_.pick(operators), random_.pick(variables_.flags));
+    const std::string_view load = random_.chance(30) ? "LDN" : "LD";
+    instruction(load, random_.pick(variables_.flags));
+    for (std::size_t i = random_.between(1, 5); i > 0; --i) {
+        const std::string_view operation = random_.pick(operators);
+        instruction(operation, random_.pick(variables_.flags));
+    }
     if (random_.chance(25)) {
         instruction("OR(", random_.pick(variables_.flags));
         instruction("ANDN", random_.pick(variables_.flags));
         instruction(")", "");
     }
-    instruction(random_.chance(20) ? "S" : "ST", random_.pick(variables_.flags));
+    const std::string_view store = random_.chance(20) ? "S" : "ST";
+    instruction(store, random_.pick(variables_.flags));
 }
 
 void CodeWriter::arithmetic_network() {
     static constexpr std::array operators = {"ADD"sv, "SUB"sv, "MUL"sv, "DIV"sv};
     instruction("LD", random_.pick(variables_.reals));
-    for (std::size_t i = random_.between(1, 3); i > 0; --i)
-        instruction(random_.pick(operators),
+    for (std::size_t i = random_.between(1, 3); i > 0; --i) {
+        const std::string_view operation = random_.pick(operators);
+        instruction(operation,
                     random_.chance(40) ? make_real(random_) : random_.pick(variables_.reals));
+    }
     instruction("ST", random_.pick(variables_.reals));
     instruction("LD", random_.pick(variables_.integers));
-    instruction(random_.chance(50) ? "GT" : "LE", make_integer(random_));
+    const std::string_view relation = random_.chance(50) ? "GT" : "LE";
+    instruction(relation, make_integer(random_));
     instruction("ST", random_.pick(variables_.flags));
 }
 
@@ -371,10 +381,10 @@ void CodeWriter::step(std::string_view name, bool initial) {
     out_.indent();
     out_.line(std::string(name) + (initial ? "(P1);" : "(N);"));
     if (random_.chance(50))
-        out_.line(random_.pick(variables_.flags) + "(" + random_.pick(plain) + ");", 20);
+        out_.line(joined({random_.pick(variables_.flags), "(", random_.pick(plain), ");"}), 20);
     if (random_.chance(20))
-        out_.line(random_.pick(variables_.flags) + "(" + random_.pick(timed) + ", " +
-                  make_duration(random_) + ");");
+        out_.line(joined({random_.pick(variables_.flags), "(", random_.pick(timed), ", ",
+                          make_duration(random_), ");"}));
     out_.outdent();
 }
 

@@ -41,11 +41,18 @@ constexpr std::size_t longest_code = 70; // what is longer goes on in the next l
 
 } // namespace
 
+std::string joined(std::initializer_list<std::string_view> pieces) {
+    std::string text;
+    for (const std::string_view piece : pieces)
+        text += piece;
+    return text;
+}
+
 std::string make_name(Random& random) {
     if (random.chance(12))
-        return std::string(random.pick(shorts)) + digits(random.below(10));
+        return joined({random.pick(shorts), digits(random.below(10))});
     if (random.chance(40))
-        return std::string(random.pick(properties)) + digits(random.below(25));
+        return joined({random.pick(properties), digits(random.below(25))});
     const bool underscores = random.chance(25);
     std::string name;
     if (!underscores && random.chance(25))
@@ -79,7 +86,7 @@ std::string make_integer(Random& random) {
 }
 
 std::string make_real(Random& random) {
-    std::string text = digits(random.below(400)) + '.' + digits(random.below(100));
+    std::string text = joined({digits(random.below(400)), ".", digits(random.below(100))});
     if (random.chance(10))
         text += "E-3";
     return random.chance(4) ? "REAL#" + text : text;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,6 +41,10 @@ public:
 private:
     std::uint64_t state_;
 };
+
+/// The pieces one behind the other. They are made in this order, which is left open for those of a
+/// sum: so the text is the same with every compiler.
+[[nodiscard]] std::string joined(std::initializer_list<std::string_view> pieces);
 
 /// A name as programs for plants have them: `PumpSpeed`, `Main_Tank_Level3`, `bDoorOpen`. No
 /// keyword and no standard name.

@@ -89,11 +89,11 @@ private:
         return std::string(prefix) + make_name(random_) + "_" + std::to_string(++units_);
     }
     [[nodiscard]] std::string new_name() {
-        return make_name(random_) + (random_.chance(35) ? std::to_string(++names_) : "");
+        return joined({make_name(random_), random_.chance(35) ? std::to_string(++names_) : ""});
     }
     [[nodiscard]] std::string location(std::string_view prefix) {
-        return std::string(prefix) + std::to_string(random_.below(64)) + "." +
-               std::to_string(random_.below(8));
+        return joined(
+            {prefix, std::to_string(random_.below(64)), ".", std::to_string(random_.below(8))});
     }
     // `name : type`, with the colon in `column` where the name is not longer.
     [[nodiscard]] static std::string declaration(std::string name, std::size_t column,
@@ -174,12 +174,17 @@ void Generator::structure(const std::string& name) {
     static constexpr std::array types = {"BOOL"sv, "INT"sv, "TIME"sv, "WORD"sv, "DATE_AND_TIME"sv};
     out_.line(name + " : STRUCT", 30);
     out_.indent();
-    for (std::size_t i = random_.between(2, 6); i > 0; --i)
-        declaration_line(std::string(record_element(random_)), 20,
+    for (std::size_t i = random_.between(2, 6); i > 0; --i) {
+        const std::string_view element = record_element(random_);
+        declaration_line(std::string(element), 20,
                          random_.chance(50) ? "REAL := " + make_real(random_) : "REAL");
-    for (std::size_t i = random_.between(2, 12); i > 0; --i)
-        declaration_line(new_name(), 20, random_.pick(types));
-    declaration_line(new_name(), 20, random_.pick(state_types_));
+    }
+    for (std::size_t i = random_.between(2, 12); i > 0; --i) {
+        const std::string_view type = random_.pick(types);
+        declaration_line(new_name(), 20, type);
+    }
+    const std::string_view state_type = random_.pick(state_types_);
+    declaration_line(new_name(), 20, state_type);
     out_.outdent();
     out_.line("END_STRUCT;");
     type_names_.push_back(name);
@@ -320,15 +325,15 @@ void Generator::array_variable(std::size_t column) {
     const std::string last = std::to_string(random_.between(3, 99));
     std::string type = "ARRAY [0.." + last + "] OF REAL";
     if (random_.chance(30))
-        type += " := [4(0.0), " + make_real(random_) + ", " + make_real(random_) + "]";
+        type += joined({" := [4(0.0), ", make_real(random_), ", ", make_real(random_), "]"});
     declare(variables_.arrays, type, column);
 }
 
 void Generator::record_variable(std::size_t column) {
     std::string type = random_.pick(type_names_);
     if (random_.chance(30))
-        type =
-            type + " := (Gain := " + make_real(random_) + ", Offset := " + make_real(random_) + ")";
+        type +=
+            joined({" := (Gain := ", make_real(random_), ", Offset := ", make_real(random_), ")"});
     declare(variables_.records, type, column);
 }
 
@@ -425,8 +430,8 @@ void Generator::access_block() {
     out_.line("VAR_ACCESS");
     out_.indent();
     for (std::size_t i = random_.between(1, 4); i > 0; --i)
-        out_.line("A_" + new_name() + " : " + random_.pick(variables_.flags) +
-                  " : BOOL READ_ONLY;");
+        out_.line(joined(
+            {"A_", new_name(), " : ", random_.pick(variables_.flags), " : BOOL READ_ONLY;"}));
     out_.outdent();
     out_.line("END_VAR");
 }
@@ -444,11 +449,11 @@ void Generator::configuration() {
         resource("Cpu_" + std::to_string(i), random_.between(1, 3));
     out_.line("VAR_ACCESS");
     out_.line("    A_" + new_name() + " : Cpu_0.%IX1.1 : BOOL READ_ONLY;", 20);
-    out_.line("    A_" + new_name() + " : Cpu_0.Run_0." + new_name() + " : REAL READ_WRITE;");
+    out_.line(joined({"    A_", new_name(), " : Cpu_0.Run_0.", new_name(), " : REAL READ_WRITE;"}));
     out_.line("END_VAR");
     out_.line("VAR_CONFIG");
     out_.line("    Cpu_0.Run_0." + new_name() + " AT %QX1.1 : BOOL := FALSE;", 20);
-    out_.line("    Cpu_0.Run_0." + new_name() + "." + new_name() + " : INT := 12;");
+    out_.line(joined({"    Cpu_0.Run_0.", new_name(), ".", new_name(), " : INT := 12;"}));
     out_.line("END_VAR");
     out_.outdent();
     end("END_CONFIGURATION");
@@ -471,9 +476,9 @@ void Generator::resource(const std::string& name, std::size_t tasks) {
 void Generator::program_instance(const std::string& name, const std::string& task) {
     out_.line("PROGRAM " + name + " WITH " + task + " : P_" + make_name(random_) + " (", 20);
     for (std::size_t i = random_.between(1, 5); i > 0; --i)
-        out_.line("    " + new_name() + " := " +
-                  (random_.chance(50) ? location("%IX") : "G_" + make_name(random_)) + ",");
-    out_.line("    " + new_name() + " => " + location("%QX") + ");");
+        out_.line(joined({"    ", new_name(), " := ",
+                          random_.chance(50) ? location("%IX") : "G_" + make_name(random_), ","}));
+    out_.line(joined({"    ", new_name(), " => ", location("%QX"), ");"}));
 }
 
 } // namespace
