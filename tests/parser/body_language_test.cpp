@@ -174,6 +174,13 @@ TEST(BodyLanguage, OfInstructionsWithMalformedOperandsSurvivesAStatement) {
     EXPECT_EQ(count_nodes(tree, ast::NodeKind::instruction_list), 1U);
 }
 
+// A character that has no meaning begins no line: what stands behind it says nothing.
+TEST(BodyLanguage, OfAChartSurvivesLinesThatCannotBeRead) {
+    const SyntaxTree tree = parse_body(
+        {"x := 1;", "$ := 2;", "$ := 2;", "TRANSITION FROM S TO T := TRUE; END_TRANSITION"});
+    EXPECT_EQ(count_nodes(tree, ast::NodeKind::sequential_function_chart), 1U);
+}
+
 // A stray closing word seems to end the action behind a statement without a fault.
 TEST(BodyLanguage, OfInstructionsWithoutEndOfActionSurvivesAStatement) {
     const SyntaxTree tree =
