@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -139,7 +140,6 @@ private:
     // ---- lexer_delimiters.cpp
     [[nodiscard]] bool ends_operand(Token token, const char* next) const;
     const char* dot(const char* begin);
-    const char* stray_comment_end(const char* begin);
     const char* caret(const char* begin);
     const char* non_ascii(const char* begin);
     const char* typographic_string(const char* begin, const DecodedCharacter& opening);
@@ -158,6 +158,8 @@ private:
     const char* left_parenthesis(const char* begin);
     const char* comment(const char* begin);
     const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
+    [[nodiscard]] std::optional<Token> comment_begin_without_star() const;
+    const char* stray_comment_end(const char* begin);
     const char* line_comment(const char* begin);
     const char* c_comment(const char* begin);
     const char* end_of_nested_braces(const char* begin);

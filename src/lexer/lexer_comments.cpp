@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -312,6 +314,74 @@ const char* Lexer::end_of_nested_comment(const char* begin, const char* inner,
         return begin_ + *balanced_end;
     note_open_end(begin, end_);
     return closing + 1;
+}
+
+namespace {
+
+// A unit can end before or behind these: what is put together from several tokens holds none.
+[[nodiscard]] bool parts_units(TokenKind kind) noexcept {
+    using enum TokenKind;
+    constexpr std::array words = {
+        kw_function,      kw_end_function,      kw_function_block, kw_end_function_block,
+        kw_program,       kw_end_program,       kw_type,           kw_end_type,
+        kw_configuration, kw_end_configuration, kw_var_global};
+    return std::ranges::find(words, kind) != words.end();
+}
+
+// True when no expression can begin at the token `at` of a row, but a comment on its line can.
+[[nodiscard]] bool can_begin_comment_only(std::span<const Token> row, std::size_t at) noexcept {
+    using enum TokenKind;
+    constexpr std::array heads = {kw_then, kw_else, kw_do, kw_of, kw_repeat};
+    if (row[at].first_on_line())
+        return true;
+    if (at >= 2 && row[at - 1].kind() == semicolon)
+        return !parts_units(row[at - 2].kind());
+    return at >= 1 && std::ranges::find(heads, row[at - 1].kind()) != heads.end();
+}
+
+} // namespace
+
+// The `(` on this line with which a comment is meant to begin, though its `*` is missing.
+std::optional<Token> Lexer::comment_begin_without_star() const {
+    constexpr std::size_t furthest = 100; // bounds the time that many of them take
+    if (first_on_line_)
+        return std::nullopt;
+    const std::span<const Token> row(result_.tokens.data(), token_count());
+    for (std::size_t at = row.size(); at > 0 && row.size() - at < furthest;) {
+        const Token token = row[--at];
+        if (parts_units(token.kind()))
+            return std::nullopt;
+        if (token.kind() == TokenKind::left_parenthesis && can_begin_comment_only(row, at)) {
+            const bool other_behind =
+                !result_.trivia.empty() && result_.trivia.back().range.begin > token.offset();
+            return other_behind ? std::nullopt : std::optional(token);
+        }
+        if (token.first_on_line())
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+const char* Lexer::stray_comment_end(const char* begin) {
+    const TextRange where = range(begin, begin + 2);
+    const char* const end = begin + 2;
+    const std::optional<Token> opening = comment_begin_without_star();
+    if (!opening) {
+        add_replacement(report(DiagnosticId::stray_comment_end, where), where);
+        emit(TokenKind::unknown, begin, end, true);
+        return end;
+    }
+    const TextRange parenthesis = opening->range();
+    while (last_token().offset() != parenthesis.begin)
+        take_back();
+    take_back();
+    while (!result_.diagnostics.empty() &&
+           result_.diagnostics.back().range.begin >= parenthesis.begin)
+        result_.diagnostics.pop_back();
+    add_replacement(report(DiagnosticId::comment_without_star, parenthesis),
+                    {parenthesis.end, parenthesis.end}, "*");
+    add_trivia(TriviaKind::comment, begin_ + parenthesis.begin, end);
+    return end;
 }
 
 const char* Lexer::line_comment(const char* begin) {

@@ -42,13 +42,6 @@ const char* Lexer::dot(const char* begin) {
                           gaps_of({range(before_end, begin)}));
 }
 
-const char* Lexer::stray_comment_end(const char* begin) {
-    const TextRange where = range(begin, begin + 2);
-    add_replacement(report(DiagnosticId::stray_comment_end, where), where);
-    emit(TokenKind::unknown, begin, begin + 2, true);
-    return begin + 2;
-}
-
 // `p^`, and `a ^ b` for a power. Else it has no meaning.
 const char* Lexer::caret(const char* begin) {
     if (!has_tokens())
