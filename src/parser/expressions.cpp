@@ -1003,7 +1003,7 @@ const ast::Node* Parser::parse_argument(std::uint32_t open) {
     if (behind == TokenKind::assign) {
         input->name = parse_argument_name();
         advance();
-    } else if (at_equal_for_assign(open)) {
+    } else if (at_equal_for_assign(open) || at_colon_for_assign(open)) {
         input->name = parse_argument_name();
         expect_assign();
     }
@@ -1039,6 +1039,12 @@ bool Parser::at_equal_for_assign(std::uint32_t open) const noexcept {
     const bool in_invocation = open == invocation_ && peek() == TokenKind::equal_equal;
     return (at(TokenKind::identifier) || at(execution_control)) && look_alikes.contains(peek()) &&
            argument_list_closes(open + 1) && (in_invocation || has_formal_argument(open));
+}
+
+/// `b : = 2` or `b : 2` in the list of arguments that begins at `open`.
+bool Parser::at_colon_for_assign(std::uint32_t open) const noexcept {
+    return (at(TokenKind::identifier) || at(execution_control)) && peek() == TokenKind::colon &&
+           argument_list_closes(open + 1);
 }
 
 /// True when `:=` or `=>` stands directly in the list that begins at `open`.

@@ -821,6 +821,7 @@ private:
     [[nodiscard]] bool at_output_slip(std::uint32_t open) const noexcept;
     [[nodiscard]] bool lacks_assign(const ast::Node& value, std::uint32_t open) const noexcept;
     [[nodiscard]] bool at_equal_for_assign(std::uint32_t open) const noexcept;
+    [[nodiscard]] bool at_colon_for_assign(std::uint32_t open) const noexcept;
     [[nodiscard]] bool has_formal_argument(std::uint32_t open) const noexcept;
     [[nodiscard]] bool argument_list_closes(std::uint32_t i) const noexcept;
     [[nodiscard]] bool at_expression_start() const noexcept;

@@ -541,13 +541,15 @@ Parser::Children<ast::Subrange> Parser::parse_subranges() {
     const std::optional<Report> parentheses = accept_parenthesis_for_bracket();
     if (!parentheses)
         expect(TokenKind::left_bracket);
+    static constexpr TokenSet bracket_look_alikes{TokenKind::right_parenthesis,
+                                                  TokenKind::semicolon, TokenKind::colon};
     ListBuilder<ast::Subrange> subranges(*this);
     do
         subranges.add(parse_subrange());
     while (accept(TokenKind::comma) || accept_comma_look_alike());
     if (parentheses)
         close_parenthesis_for_bracket(*parentheses);
-    else if (at(TokenKind::right_parenthesis) && peek() == TokenKind::kw_of)
+    else if (at(bracket_look_alikes) && peek() == TokenKind::kw_of)
         accept_as(TokenKind::right_bracket);
     else if (at(TokenKind::kw_of) && peek() == TokenKind::right_bracket) { // `[0..9 OF] INT`
         report_swapped(next(at_));
