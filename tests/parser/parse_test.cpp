@@ -185,6 +185,14 @@ TEST(Parse, RefusesAUnitForItsOwnSizeOnly) {
     EXPECT_EQ(alone, least_memory(SourceText(correct)) + sizeof(Token));
 }
 
+TEST(Parse, KeepsTheEncodingOfATextThatIsTooLarge) {
+    ParseOptions options;
+    options.maximum_source_size = 3;
+    const SyntaxTree tree = parse(SourceText("TYPE", {}, Encoding::windows_1252), options);
+    EXPECT_EQ(tree.encoding(), Encoding::windows_1252);
+    EXPECT_EQ(tree.slots()[0].unit->encoding(), Encoding::windows_1252);
+}
+
 TEST(Parse, ReadsStringsInEachEncoding) {
     EXPECT_TRUE(parse(SourceText(program("x := '\xC3\x84\xC3\x8B';"))).diagnostics().empty());
     for (const Encoding encoding : {Encoding::iso_8859_1, Encoding::windows_1252})
