@@ -158,7 +158,7 @@ private:
     const char* left_parenthesis(const char* begin);
     const char* comment(const char* begin);
     const char* end_of_nested_comment(const char* begin, const char* inner, const char* closing);
-    [[nodiscard]] std::optional<Token> comment_begin_without_star() const;
+    [[nodiscard]] std::optional<Token> comment_begin_without_star(const char* end) const;
     const char* stray_comment_end(const char* begin);
     const char* line_comment(const char* begin);
     const char* c_comment(const char* begin);

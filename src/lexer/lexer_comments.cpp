@@ -318,46 +318,96 @@ const char* Lexer::end_of_nested_comment(const char* begin, const char* inner,
 
 namespace {
 
-// A unit can end before or behind these: what is put together from several tokens holds none.
+template<std::size_t Size>
+[[nodiscard]] bool holds(const std::array<TokenKind, Size>& kinds, TokenKind kind) noexcept {
+    return std::ranges::find(kinds, kind) != kinds.end();
+}
+
+// Units begin with these, or end behind them. What is put together from several tokens holds none,
+// so that no unit depends on what stands in another one.
 [[nodiscard]] bool parts_units(TokenKind kind) noexcept {
     using enum TokenKind;
     constexpr std::array words = {
         kw_function,      kw_end_function,      kw_function_block, kw_end_function_block,
         kw_program,       kw_end_program,       kw_type,           kw_end_type,
-        kw_configuration, kw_end_configuration, kw_var_global};
-    return std::ranges::find(words, kind) != words.end();
+        kw_configuration, kw_end_configuration, kw_var_global,     kw_end_var};
+    return holds(words, kind);
 }
 
-// True when no expression can begin at the token `at` of a row, but a comment on its line can.
-[[nodiscard]] bool can_begin_comment_only(std::span<const Token> row, std::size_t at) noexcept {
+// True when the line of token `at` begins in the row, and no unit before `at` on it.
+[[nodiscard]] bool is_line_of_one_unit(std::span<const Token> row, std::size_t at) noexcept {
+    while (!row[at].first_on_line() && at > 0 && !parts_units(row[at - 1].kind()))
+        --at;
+    return row[at].first_on_line();
+}
+
+// True at a `(`, token `at`, that is first on its line, when no expression goes on with it.
+[[nodiscard]] bool begins_line_as_comment(std::span<const Token> row, std::size_t at) noexcept {
     using enum TokenKind;
-    constexpr std::array heads = {kw_then, kw_else, kw_do, kw_of, kw_repeat};
-    if (row[at].first_on_line())
+    constexpr std::array before_expression = {kw_if, kw_elsif, kw_while, kw_until, kw_case, kw_to,
+                                              kw_by, kw_and,   kw_or,    kw_xor,   kw_mod,  kw_not};
+    constexpr std::array before_name = {kw_program, kw_function_block, kw_configuration,
+                                        kw_end_function};
+    if (at == 0) // behind what ends a unit
         return true;
-    if (at >= 2 && row[at - 1].kind() == semicolon)
-        return !parts_units(row[at - 2].kind());
-    return at >= 1 && std::ranges::find(heads, row[at - 1].kind()) != heads.end();
+    const TokenKind before = row[at - 1].kind();
+    if (before == identifier) { // `PROGRAM p`, `END_FUNCTION BLOCK`, `LD a`
+        if (at < 2 || row[at - 1].first_on_line())
+            return false;
+        const TokenKind first = row[at - 2].kind();
+        return holds(before_name, first) ||
+               (first == identifier && is_line_of_one_unit(row, at - 1));
+    }
+    return before == semicolon || (is_keyword(before) && !holds(before_expression, before));
+}
+
+// The same at one inside a line, which ends there: it stands behind a statement, a declaration or a
+// word that neither a name nor an expression follows.
+[[nodiscard]] bool ends_line_as_comment(std::span<const Token> row, std::size_t at) noexcept {
+    using enum TokenKind;
+    constexpr std::array heads = {kw_then,     kw_else,       kw_do,         kw_of,
+                                  kw_repeat,   kw_struct,     kw_var,        kw_var_input,
+                                  kw_var_temp, kw_var_output, kw_var_in_out, kw_var_external,
+                                  kw_constant, kw_retain,     kw_end_if,     kw_end_case,
+                                  kw_end_for,  kw_end_while,  kw_end_repeat, kw_end_struct};
+    if (at >= 1 && holds(heads, row[at - 1].kind()))
+        return true;
+    if (at < 2 || row[at - 1].kind() != semicolon || row[at - 1].first_on_line() ||
+        row[at - 2].kind() == semicolon)
+        return false;
+    // It could be all of the name of a unit that ends there: `END_FUNCTION BLOCK;`.
+    const bool name = row[at - 2].kind() == identifier && row[at - 2].first_on_line();
+    return !name && is_line_of_one_unit(row, at);
 }
 
 } // namespace
 
-// The `(` on this line with which a comment is meant to begin, though its `*` is missing.
-std::optional<Token> Lexer::comment_begin_without_star() const {
+// The `(` on this line with which a comment is meant to begin that ends at `end`, though its `*` is
+// missing. Inside a line it is the last on it: a comment before something goes with what follows,
+// which can be another unit.
+std::optional<Token> Lexer::comment_begin_without_star(const char* end) const {
     constexpr std::size_t furthest = 100; // bounds the time that many of them take
     if (first_on_line_)
         return std::nullopt;
     const std::span<const Token> row(result_.tokens.data(), token_count());
+    const char* const behind = Extents::blanks_end(end);
+    const bool last = behind == end_ || class_of(*behind) == CharacterClass::line_end;
+    std::size_t closed = 0; // parentheses
     for (std::size_t at = row.size(); at > 0 && row.size() - at < furthest;) {
         const Token token = row[--at];
         if (parts_units(token.kind()))
             return std::nullopt;
-        if (token.kind() == TokenKind::left_parenthesis && can_begin_comment_only(row, at)) {
+        closed += token.kind() == TokenKind::right_parenthesis ? 1 : 0;
+        const bool opens = token.kind() == TokenKind::left_parenthesis;
+        if (opens && (token.first_on_line() ? begins_line_as_comment(row, at)
+                                            : last && ends_line_as_comment(row, at))) {
             const bool other_behind =
                 !result_.trivia.empty() && result_.trivia.back().range.begin > token.offset();
             return other_behind ? std::nullopt : std::optional(token);
         }
-        if (token.first_on_line())
+        if (token.first_on_line() || (opens && closed == 0))
             return std::nullopt;
+        closed -= opens ? 1 : 0;
     }
     return std::nullopt;
 }
@@ -365,7 +415,7 @@ std::optional<Token> Lexer::comment_begin_without_star() const {
 const char* Lexer::stray_comment_end(const char* begin) {
     const TextRange where = range(begin, begin + 2);
     const char* const end = begin + 2;
-    const std::optional<Token> opening = comment_begin_without_star();
+    const std::optional<Token> opening = comment_begin_without_star(end);
     if (!opening) {
         add_replacement(report(DiagnosticId::stray_comment_end, where), where);
         emit(TokenKind::unknown, begin, end, true);

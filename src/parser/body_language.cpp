@@ -282,7 +282,8 @@ BodyLanguage Parser::body_language() {
     return BodySurvey(*this, open_.back().closer).language();
 }
 
-/// There is something to report in it.
+/// Surveys the presumed body, as something in it is reported. When it is no Structured Text, what
+/// follows is left unread.
 void Parser::ask_presumed_body() {
     const std::uint32_t here = at_;
     move_to(presumed_body_->begin);

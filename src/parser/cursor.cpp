@@ -148,6 +148,8 @@ bool Parser::NestingGuard::report() const {
     if (!std::exchange(parser_.nesting_reported_, true))
         parser_.report(DiagnosticId::nesting_too_deep, parser_.token().range(),
                        {std::uint64_t{parser_.options_.maximum_nesting}});
+    else if (parser_.presumed_body_)
+        parser_.ask_presumed_body();
     return true;
 }
 

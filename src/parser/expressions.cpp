@@ -1041,10 +1041,19 @@ bool Parser::at_equal_for_assign(std::uint32_t open) const noexcept {
            argument_list_closes(open + 1) && (in_invocation || has_formal_argument(open));
 }
 
-/// `b : = 2` or `b : 2` in the list of arguments that begins at `open`.
+/// `b : = 2` or `b : 2` as an argument in the list that begins at `open`.
 bool Parser::at_colon_for_assign(std::uint32_t open) const noexcept {
-    return (at(TokenKind::identifier) || at(execution_control)) && peek() == TokenKind::colon &&
-           argument_list_closes(open + 1);
+    static constexpr TokenSet separators{TokenKind::left_parenthesis, TokenKind::comma};
+    static constexpr TokenSet marks{TokenKind::assign, TokenKind::output_arrow, TokenKind::colon};
+    if ((!at(TokenKind::identifier) && !at(execution_control)) || peek() != TokenKind::colon ||
+        at_ == 0 || !separators.contains(tokens_[at_ - 1].kind()))
+        return false;
+    const std::uint32_t colon = next(at_);
+    const std::uint32_t behind = next(colon);
+    const std::uint32_t operand =
+        tokens_[behind].kind() == TokenKind::equal ? next(behind) : behind;
+    return begins_operand(tokens_[operand].kind()) && !tokens_[operand].first_on_line() &&
+           !marks.contains(tokens_[next(operand)].kind()) && argument_list_closes(open + 1);
 }
 
 /// True when `:=` or `=>` stands directly in the list that begins at `open`.

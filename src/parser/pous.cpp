@@ -238,9 +238,10 @@ const ast::Body* Parser::parse_body() {
     return parse_statement_list("in a body");
 }
 
-/// True at what begins a body of statements as nothing else does.
+/// True at what very probably begins a body of statements.
 bool Parser::at_presumable_statements() {
-    return presumes_statements_ && (at_plain_assignment() || at(block_statements)) && balanced();
+    return presumes_statements_ && (at_plain_assignment() || at(block_statements)) && balanced() &&
+           reported_at_ != at_;
 }
 
 /// Part of function_body, function_block_body: a statement_list as long as nothing is reported.

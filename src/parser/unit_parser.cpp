@@ -45,6 +45,12 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
             {DiagnosticId::identifier_too_long, found->range(), {std::uint64_t{limit}}, {}, {}});
 }
 
+/// A comment or pragma that is closed says nothing of the tokens around it.
+[[nodiscard]] bool is_about_whole_comment(const Diagnostic& diagnostic) noexcept {
+    return diagnostic.id == DiagnosticId::line_comment ||
+           diagnostic.id == DiagnosticId::c_comment || diagnostic.id == DiagnosticId::pragma;
+}
+
 /// Makes the tree as the text is. Nothing when statements were presumed where there are none.
 [[nodiscard]] std::optional<Reading> read_unrepaired(const ParserInput& input, ParserArena& arena,
                                                      bool presume_statements) {
@@ -62,8 +68,9 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
 /// when there was not enough room.
 [[nodiscard]] std::optional<Reading> read(const ParserInput& input, ParserArena& arena) {
     const std::size_t kept = arena.used();
-    // Where the lexer has reported something the parser does not, and would never ask.
-    std::optional<Reading> reading = read_unrepaired(input, arena, input.lexical.empty());
+    // What the lexer has reported the parser does not report again, and would not ask for it.
+    const bool may_presume = std::ranges::all_of(input.lexical, is_about_whole_comment);
+    std::optional<Reading> reading = read_unrepaired(input, arena, may_presume);
     if (!reading && !arena.full()) {
         arena.rewind(kept);
         reading = read_unrepaired(input, arena, false);

@@ -181,6 +181,20 @@ TEST(BodyLanguage, OfAChartSurvivesLinesThatCannotBeRead) {
     EXPECT_EQ(count_nodes(tree, ast::NodeKind::sequential_function_chart), 1U);
 }
 
+// That a text nests too deeply is reported once a unit: what it hides in the second action is
+// asked.
+TEST(BodyLanguage, OfInstructionsIsSeenInWhatIsTooDeep) {
+    const std::string statement = "IF a THEN x := 1; END_IF;";
+    const std::string instructions = "IF a THEN\nLD x\nST y\nLD x\nST y\nEND_IF;";
+    const std::string text = std::string("PROGRAM p\nINITIAL_STEP s: END_STEP\n") + "ACTION k:\n" +
+                             statement + "\nEND_ACTION\n" + "ACTION l:\n" + instructions +
+                             "\nEND_ACTION\nEND_PROGRAM\n";
+    ParseOptions options;
+    options.maximum_nesting = 1;
+    const SyntaxTree tree = parse(SourceText(text), options);
+    EXPECT_EQ(count_nodes(tree, ast::NodeKind::instruction_list), 1U);
+}
+
 // A stray closing word seems to end the action behind a statement without a fault.
 TEST(BodyLanguage, OfInstructionsWithoutEndOfActionSurvivesAStatement) {
     const SyntaxTree tree =

@@ -18,8 +18,9 @@ enum class Walk : std::uint8_t {
 
 namespace detail {
 
-/// Nodes that a traversal has still to come to, the next one on top. Where the top is, the
-/// traversal keeps itself, as a local variable, so that it need not wait for memory.
+/// Nodes that a traversal has still to come to, the next one on top. The traversal keeps the
+/// pointer behind the top in a local variable, so that it is not read back from memory for each
+/// node.
 class PendingNodes {
 public:
     PendingNodes() : nodes_(128) {}
