@@ -38,4 +38,16 @@ inline constexpr BlockWords block_pairs[] = {
     {TokenKind::kw_action, TokenKind::kw_end_action},
 };
 
+/// The library element declarations of B.0; none of them may stand inside another one.
+[[nodiscard]] constexpr bool is_library_element(const BlockWords& words) noexcept {
+    switch (words.opener) {
+    case TokenKind::kw_function:
+    case TokenKind::kw_function_block:
+    case TokenKind::kw_program:
+    case TokenKind::kw_type:
+    case TokenKind::kw_configuration: return true;
+    default: return false;
+    }
+}
+
 } // namespace iecfront

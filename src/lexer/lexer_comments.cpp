@@ -1,3 +1,4 @@
+#include "lexer/block_words.hpp"
 #include "lexer/keywords.hpp"
 #include "lexer/lexer.hpp"
 #include "lexer/lookahead.hpp"
@@ -323,22 +324,21 @@ template<std::size_t Size>
     return std::ranges::find(kinds, kind) != kinds.end();
 }
 
-// Units begin with these, or end behind them. What is put together from several tokens holds none,
-// so that no unit depends on what stands in another one.
+// Units begin with these, or end behind them; global variables outside of everything are one, too.
+// What is put together from several tokens holds none, so that no unit depends on another one.
 [[nodiscard]] bool parts_units(TokenKind kind) noexcept {
-    using enum TokenKind;
-    constexpr std::array words = {
-        kw_function,      kw_end_function,      kw_function_block, kw_end_function_block,
-        kw_program,       kw_end_program,       kw_type,           kw_end_type,
-        kw_configuration, kw_end_configuration, kw_var_global,     kw_end_var};
-    return holds(words, kind);
+    return std::ranges::any_of(block_pairs, [kind](const BlockWords& words) {
+        return (is_library_element(words) || words.opener == TokenKind::kw_var_global) &&
+               (words.opener == kind || words.closer == kind);
+    });
 }
 
-// True when the line of token `at` begins in the row, and no unit before `at` on it.
+// True when the line of token `at` begins in the row, and no unit before `at` on it: a `;` at its
+// begin may go with a unit that ends on the line before.
 [[nodiscard]] bool is_line_of_one_unit(std::span<const Token> row, std::size_t at) noexcept {
     while (!row[at].first_on_line() && at > 0 && !parts_units(row[at - 1].kind()))
         --at;
-    return row[at].first_on_line();
+    return row[at].first_on_line() && row[at].kind() != TokenKind::semicolon;
 }
 
 // True at a `(`, token `at`, that is first on its line, when no expression goes on with it.

@@ -12,18 +12,6 @@ namespace iecfront {
 
 namespace {
 
-// The library element declarations of B.0; none of them may stand inside another one.
-[[nodiscard]] constexpr bool is_library_element(const BlockWords& words) noexcept {
-    switch (words.opener) {
-    case TokenKind::kw_function:
-    case TokenKind::kw_function_block:
-    case TokenKind::kw_program:
-    case TokenKind::kw_type:
-    case TokenKind::kw_configuration: return true;
-    default: return false;
-    }
-}
-
 // What a word means to the cutter.
 enum class Role : std::uint8_t {
     none,

@@ -131,16 +131,20 @@ TEST(Edit, ReadsASignOfAnotherLanguageWithTheWordBeforeIt) {
 
 // A `(` that a `*)` makes the begin of a comment does not look beyond its unit.
 TEST(Edit, ReadsACommentWithoutStarAlone) {
-    const std::string comment = " (foo *) FUNCTION g : INT\n;\nEND_FUNCTION\n";
-    for (const std::string end :
-         {"END_PROGRAM;;", "END_FUNCTION BLOCK;", "END_PROGRAM\n;", "END_PROGRAM\nx;", "END_VAR;",
-          "; END_PROGRAM THEN", "END_FUNCTION\nBLOCK x;", "END_PROGRAM\nx := 1;"}) {
-        const SyntaxTree tree = parse(SourceText("PROGRAM p\n;\n" + end + comment));
-        for (std::uint32_t at = 12; at + comment.size() < tree.size(); ++at) {
-            const SyntaxTree edited = tree.edited({at, at + 1}, "");
-            EXPECT_TRUE(edited == parse(edited.source())) << end << " without byte " << at;
+    for (const std::string between : {" ", "\n"})
+        for (const std::string end :
+             {"END_PROGRAM;;", "END_FUNCTION BLOCK;", "END_PROGRAM\n;", "END_PROGRAM\nx;",
+              "END_VAR;", "; END_PROGRAM THEN", "END_FUNCTION\nBLOCK x;", "END_PROGRAM\nx := 1;",
+              "END_PROGRAM\n;;x b : INT;"}) {
+            const std::string rest = " (foo *)" + between + "FUNCTION g : INT\n;\nEND_FUNCTION\n";
+            const SyntaxTree tree = parse(SourceText("PROGRAM p\n;\n" + end + rest));
+            for (std::uint32_t at = 12; at + rest.size() < tree.size(); ++at)
+                for (const std::string change : {"", "x", ";"}) {
+                    const SyntaxTree edited = tree.edited({at, at + 1}, change);
+                    EXPECT_TRUE(edited == parse(edited.source()))
+                        << end << rest << " with `" << change << "` for byte " << at;
+                }
         }
-    }
     const SyntaxTree tree = parse(SourceText(
         "VAR_GLOBAL\n a : INT; (b; END_VAR x1 x2 x3 x4 x5 x6 x7 x8\n b : INT;\nEND_VAR\n"));
     const TextRange behind{place_of(tree, "x8").end, place_of(tree, "x8").end};
