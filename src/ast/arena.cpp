@@ -1,14 +1,32 @@
 #include <iecfront/ast/arena.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
 namespace iecfront {
+namespace {
+
+constexpr std::size_t block_alignment = alignof(std::max_align_t);
+
+[[nodiscard]] constexpr std::size_t aligned(std::size_t size) noexcept {
+    return (size + block_alignment - 1) & ~(block_alignment - 1);
+}
+
+/// Aligned for whatever may live in it, and one piece of memory along with its count of owners.
+[[nodiscard]] std::shared_ptr<std::byte[]> make_block(std::size_t size) {
+    struct alignas(block_alignment) Piece {
+        std::byte bytes[block_alignment];
+    };
+    auto pieces = std::make_shared_for_overwrite<Piece[]>(aligned(size) / sizeof(Piece));
+    std::byte* const begin = reinterpret_cast<std::byte*>(pieces.get());
+    return {std::move(pieces), begin};
+}
+
+} // namespace
 
 Arena::Arena(std::size_t capacity)
-    : limit_(capacity),
-      block_(std::make_unique_for_overwrite<std::byte[]>(capacity)),
-      capacity_(capacity) {}
+    : limit_(capacity), block_(make_block(capacity)), capacity_(capacity) {}
 
 Arena::Arena(Arena&& other) noexcept
     : limit_(std::exchange(other.limit_, 0)),
@@ -45,6 +63,19 @@ Arena Arena::trimmed() const {
     if (at < used_)
         std::memcpy(to + at, from + at, used_ - at);
     return copy;
+}
+
+Arena Arena::split() {
+    Arena given;
+    given.block_ = block_;
+    given.capacity_ = used_;
+    given.used_ = used_;
+    const std::size_t begin = std::min(aligned(used_), capacity_);
+    block_ = std::shared_ptr<std::byte[]>(std::move(block_), given.block_.get() + begin);
+    capacity_ -= begin;
+    used_ = 0;
+    limit_ = capacity_;
+    return given;
 }
 
 } // namespace iecfront

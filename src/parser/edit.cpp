@@ -181,7 +181,7 @@ Edit::Outcome Edit::read_stretch(std::string text, bool complete, bool alone) {
     const auto size = static_cast<std::uint32_t>(text.size());
     const auto edit_end = static_cast<std::uint32_t>(range_.begin + replacement_.size());
     UnitReader reader(std::make_shared<const std::string>(std::move(text)), encoding_, first_ == 0,
-                      options_);
+                      options_, UnitMemory::own);
     for (std::size_t count = 0; reader.next(); ++count) {
         const std::span<const Token> ahead = reader.tokens_ahead();
         const std::size_t decisive = reader.tokens().size() + cutter_lookahead;
@@ -192,7 +192,7 @@ Edit::Outcome Edit::read_stretch(std::string text, bool complete, bool alone) {
             return Outcome::needs_unit_before;
         if (count == units_.size()) { // else it was read from a shorter stretch
             auto unit = old_unit(reader);
-            units_.push_back(unit != nullptr ? std::move(unit) : reader.parse_copy());
+            units_.push_back(unit != nullptr ? std::move(unit) : reader.parse());
         }
         const std::uint32_t end = old_[first_].offset + reader.end();
         rest_ = end < edit_end ? old_.size() : old_slot(end - growth(), true);

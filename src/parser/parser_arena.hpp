@@ -28,6 +28,12 @@ public:
         reserve_ = 0;
         hold_back(reserve_of_unit);
     }
+    /// As `Arena` has it; the rest has its reserve.
+    [[nodiscard]] Arena split() {
+        Arena given = Arena::split();
+        clear();
+        return given;
+    }
     /// True when more was asked for than there was: what was made is of no use.
     [[nodiscard]] bool full() const noexcept { return full_; }
 

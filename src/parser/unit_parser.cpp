@@ -17,6 +17,9 @@ namespace {
 /// Tokens that are read at a time: as many as fit the nearest caches, and some units.
 constexpr std::size_t tokens_at_a_time = 2048;
 
+/// Of a block for the tokens and nodes of many units.
+constexpr std::size_t shared_block = 512 * 1024;
+
 /// Of arena for each token of a unit: enough for most source.
 constexpr std::size_t bytes_per_token = 32;
 
@@ -101,10 +104,11 @@ void leave_unexamined(Unit::Parts& parts, Diagnostic report) {
 }
 
 UnitReader::UnitReader(std::shared_ptr<const std::string> buffer, Encoding encoding,
-                       bool at_file_start, const ParseOptions& options)
+                       bool at_file_start, const ParseOptions& options, UnitMemory memory)
     : buffer_(std::move(buffer)),
       encoding_(encoding),
       options_(options),
+      memory_(memory),
       lexer_(*buffer_, encoding, at_file_start) {}
 
 bool UnitReader::next() {
@@ -195,22 +199,20 @@ std::uint32_t UnitReader::looked_to(std::uint32_t place) const noexcept {
     return result;
 }
 
-std::shared_ptr<const Unit> UnitReader::parse() {
-    return parse(buffer_, std::string_view(*buffer_).substr(begin_, end_ - begin_));
-}
-
-std::shared_ptr<const Unit> UnitReader::parse_copy() {
-    auto copy = std::make_shared<const std::string>(*buffer_, begin_, end_ - begin_);
-    const std::string_view text = *copy;
-    return parse(std::move(copy), text);
-}
-
-std::shared_ptr<const Unit> UnitReader::parse(std::shared_ptr<const std::string> buffer,
-                                              std::string_view text) {
-    Unit::Parts parts;
-    parts.buffer = std::move(buffer);
+void UnitReader::take_text(Unit::Parts& parts) const {
     parts.encoding = encoding_;
-    parts.text = text;
+    if (memory_ == UnitMemory::shared) {
+        parts.buffer = buffer_;
+        parts.text = std::string_view(*buffer_).substr(begin_, end_ - begin_);
+    } else {
+        parts.buffer = std::make_shared<const std::string>(*buffer_, begin_, end_ - begin_);
+        parts.text = *parts.buffer;
+    }
+}
+
+std::shared_ptr<const Unit> UnitReader::parse() {
+    Unit::Parts parts;
+    take_text(parts);
     parts.depends_on_rest = depends_on_rest();
     parts.diagnostics = take_diagnostics();
     if (auto broken = check_encoding(parts.text, parts.encoding))
@@ -231,15 +233,43 @@ bool UnitReader::parse_into(Unit::Parts& parts) {
     const std::size_t maximum = options_.maximum_unit_memory;
     if (tokens().size_bytes() + sizeof(Token) + trivia().size_bytes() > maximum)
         return false;
-    make_room();
-    while (!parse_in_room(parts)) {
-        const std::size_t capacity = room_.capacity();
+    if (!parse_in_shared_room(parts) && !parse_in_own_room(parts))
+        return false;
+    return parts.arena.used() <= maximum;
+}
+
+/// It stays in the block. False when there is none for it, or not enough of it, which is then left:
+/// so no more of a block is lost than a unit takes.
+bool UnitReader::parse_in_shared_room(Unit::Parts& parts) {
+    const std::size_t usual = usual_room();
+    if (memory_ == UnitMemory::own || usual > shared_block / 4)
+        return false;
+    if (shared_room_.capacity() < usual) {
+        if (buffer_->size() - begin_ < shared_block / 2) // the tree of the rest may not fill one
+            return false;
+        shared_room_ = ParserArena(shared_block);
+    }
+    if (!parse_in(shared_room_, parts)) {
+        shared_room_ = ParserArena();
+        return false;
+    }
+    parts.arena = shared_room_.split();
+    return true;
+}
+
+/// It is moved to a block that is just large enough. False when it takes more than can be allowed.
+bool UnitReader::parse_in_own_room(Unit::Parts& parts) {
+    if (own_room_.capacity() < usual_room())
+        own_room_ = ParserArena(usual_room());
+    while (!parse_in(own_room_, parts)) {
+        const std::size_t capacity = own_room_.capacity();
         if (capacity >= most_room())
             return false;
-        room_ = ParserArena(); // first, so that both are not there at once
-        room_ = ParserArena(std::min(2 * capacity, most_room()));
+        own_room_ = ParserArena(); // first, so that both are not there at once
+        own_room_ = ParserArena(std::min(2 * capacity, most_room()));
     }
-    return room_.used() <= maximum;
+    move_out(parts);
+    return true;
 }
 
 /// For a unit as large as is allowed, read once and once more with a token repaired, and as deep.
@@ -254,42 +284,48 @@ std::size_t UnitReader::most_room() const noexcept {
                                              addressable));
 }
 
-/// For what most units of so many tokens need.
-void UnitReader::make_room() {
+/// What most units of so many tokens need.
+std::size_t UnitReader::usual_room() const noexcept {
     const std::size_t usual = (tokens().size() + 1) * bytes_per_token + trivia().size_bytes() +
                               ParserArena::usual_reserve;
-    if (room_.capacity() < std::min(usual, most_room()))
-        room_ = ParserArena(std::min(usual, most_room()));
+    return std::min(usual, most_room());
 }
 
-/// False when there is not enough of it.
-bool UnitReader::parse_in_room(Unit::Parts& parts) {
-    room_.clear();
-    const std::span<Token> tokens = copy_tokens();
-    const std::span<const Trivia> trivia = copy_trivia();
+/// False when there is not enough room.
+bool UnitReader::parse_in(ParserArena& room, Unit::Parts& parts) {
+    room.clear();
+    const std::span<Token> tokens = copy_tokens(room);
+    const std::span<const Trivia> trivia = copy_trivia(room);
     std::vector<Diagnostic> lexical = parts.diagnostics;
     if (lengths_ > options_.maximum_identifier_length)
         report_long_identifier(tokens, options_.maximum_identifier_length, lexical);
     sort_by_place(lexical);
     std::optional<Reading> reading =
-        read({parts.text, tokens, lexical, opener(), balanced(), options_}, room_);
+        read({parts.text, tokens, lexical, opener(), balanced(), options_}, room);
     if (!reading)
         return false;
     std::ranges::move(reading->reports, std::back_inserter(lexical));
     parts.diagnostics = std::move(lexical);
-    parts.arena = room_.trimmed();
-    parts.tokens = {parts.arena.counterpart(tokens.data(), room_), tokens.size() - 1};
-    if (!trivia.empty())
-        parts.trivia = {parts.arena.counterpart(trivia.data(), room_), trivia.size()};
-    parts.root = parts.arena.counterpart(reading->root, room_);
+    parts.tokens = tokens.first(tokens.size() - 1);
+    parts.trivia = trivia;
+    parts.root = reading->root;
     return true;
 }
 
+void UnitReader::move_out(Unit::Parts& parts) const {
+    parts.arena = own_room_.trimmed();
+    parts.tokens = {parts.arena.counterpart(parts.tokens.data(), own_room_), parts.tokens.size()};
+    if (!parts.trivia.empty())
+        parts.trivia = {parts.arena.counterpart(parts.trivia.data(), own_room_),
+                        parts.trivia.size()};
+    parts.root = parts.arena.counterpart(parts.root, own_room_);
+}
+
 /// With end_of_unit behind them.
-std::span<Token> UnitReader::copy_tokens() {
+std::span<Token> UnitReader::copy_tokens(ParserArena& room) {
     const std::span<const Token> from = tokens();
     auto* const to =
-        static_cast<Token*>(room_.allocate((from.size() + 1) * sizeof(Token), alignof(Token)));
+        static_cast<Token*>(room.allocate((from.size() + 1) * sizeof(Token), alignof(Token)));
     const std::uint32_t begin = begin_;
     std::uint32_t lengths = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -301,11 +337,11 @@ std::span<Token> UnitReader::copy_tokens() {
     return {to, from.size() + 1};
 }
 
-std::span<const Trivia> UnitReader::copy_trivia() {
+std::span<const Trivia> UnitReader::copy_trivia(ParserArena& room) const {
     const std::span<const Trivia> from = trivia();
     if (from.empty())
         return {};
-    auto* const to = static_cast<Trivia*>(room_.allocate(from.size_bytes(), alignof(Trivia)));
+    auto* const to = static_cast<Trivia*>(room.allocate(from.size_bytes(), alignof(Trivia)));
     for (std::size_t i = 0; i < from.size(); ++i)
         to[i] = {{from[i].range.begin - begin_, from[i].range.end - begin_}, from[i].kind};
     return {to, from.size()};

@@ -22,14 +22,18 @@ namespace iecfront {
 /// its text is a comment, so that no byte is lost.
 void leave_unexamined(Unit::Parts& parts, Diagnostic report);
 
+/// Where units have their text and their tree: in memory that they share with others, and which is
+/// there as long as any of these; or each in its own.
+enum class UnitMemory : std::uint8_t { shared, own };
+
 /// Reads a text unit by unit. Of the tokens, it holds those of the unit where it stands, and a
 /// stretch of what follows. A fragment is one unit.
 class UnitReader {
 public:
-    /// Units will share `buffer`. `at_file_start` says whether it begins a file: a byte order mark
-    /// can stand there, and its first token is the first on its line.
+    /// `at_file_start` says whether `buffer` begins a file: a byte order mark can stand there, and
+    /// its first token is the first on its line.
     UnitReader(std::shared_ptr<const std::string> buffer, Encoding encoding, bool at_file_start,
-               const ParseOptions& options);
+               const ParseOptions& options, UnitMemory memory = UnitMemory::shared);
 
     /// Goes to the next unit, at first to the first one. False behind the last one.
     [[nodiscard]] bool next();
@@ -61,26 +65,27 @@ public:
 
     /// Parses the unit, once.
     [[nodiscard]] std::shared_ptr<const Unit> parse();
-    /// The same, with a copy of its text for a buffer.
-    [[nodiscard]] std::shared_ptr<const Unit> parse_copy();
 
 private:
     void read_cut();
     void read_more();
     [[nodiscard]] std::uint32_t end_of_cut() const noexcept;
-    [[nodiscard]] std::shared_ptr<const Unit> parse(std::shared_ptr<const std::string> buffer,
-                                                    std::string_view text);
+    void take_text(Unit::Parts& parts) const;
     [[nodiscard]] bool parse_into(Unit::Parts& parts);
-    void make_room();
+    [[nodiscard]] bool parse_in_shared_room(Unit::Parts& parts);
+    [[nodiscard]] bool parse_in_own_room(Unit::Parts& parts);
+    [[nodiscard]] std::size_t usual_room() const noexcept;
     [[nodiscard]] std::size_t most_room() const noexcept;
-    [[nodiscard]] bool parse_in_room(Unit::Parts& parts);
-    [[nodiscard]] std::span<Token> copy_tokens();
-    [[nodiscard]] std::span<const Trivia> copy_trivia();
+    [[nodiscard]] bool parse_in(ParserArena& room, Unit::Parts& parts);
+    void move_out(Unit::Parts& parts) const;
+    [[nodiscard]] std::span<Token> copy_tokens(ParserArena& room);
+    [[nodiscard]] std::span<const Trivia> copy_trivia(ParserArena& room) const;
     [[nodiscard]] std::vector<Diagnostic> take_diagnostics();
 
     std::shared_ptr<const std::string> buffer_;
     Encoding encoding_;
     const ParseOptions& options_;
+    UnitMemory memory_;
     Lexer lexer_;
     UnitCutter cutter_;
     bool last_ = false; // nothing stands behind the unit
@@ -96,7 +101,8 @@ private:
     std::size_t diagnostic_end_ = 0;
     std::size_t open_end_ = 0;
     std::size_t open_end_end_ = 0;
-    ParserArena room_;          // where units are made, one after the other
+    ParserArena shared_room_;   // the rest of a block in which units stay
+    ParserArena own_room_;      // where those are made that get blocks of their own
     std::uint32_t lengths_ = 0; // of the tokens when they were copied, their bits put together
 };
 

@@ -1,7 +1,9 @@
 #include <iecfront/ast/arena.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -77,6 +79,32 @@ TEST(Arena, TrimmedHoldsACopyOfWhatWasGivenOut) {
     EXPECT_EQ(reinterpret_cast<const char*>(copy.counterpart(number, arena)) -
                   copy.counterpart(mark, arena),
               reinterpret_cast<const char*>(number) - mark);
+}
+
+TEST(Arena, SplittingLeavesTheRestOfTheBlock) {
+    Arena rest(1000);
+    int* const number = rest.create<int>();
+    *number = 7;
+    Arena given = rest.split();
+    EXPECT_EQ(given.used(), sizeof(int));
+    EXPECT_EQ(given.capacity(), sizeof(int));
+    EXPECT_EQ(given.try_allocate(1, 1), nullptr);
+    EXPECT_EQ(rest.used(), 0U);
+    EXPECT_EQ(rest.capacity(), 1000 - alignof(std::max_align_t));
+    auto* const other = rest.create<std::max_align_t>();
+    EXPECT_TRUE(is_aligned(other, alignof(std::max_align_t)));
+    EXPECT_GE(reinterpret_cast<int*>(other), number + 1);
+    EXPECT_EQ(rest.try_allocate(rest.capacity(), 1), nullptr);
+    rest = Arena(); // the block is there as long as any part of it
+    EXPECT_EQ(*number, 7);
+}
+
+TEST(Arena, SplittingGivesAllOfABlock) {
+    Arena rest(5);
+    std::ignore = rest.allocate(5, 1);
+    EXPECT_EQ(rest.split().capacity(), 5U);
+    EXPECT_EQ(rest.capacity(), 0U);
+    EXPECT_EQ(rest.try_allocate(1, 1), nullptr);
 }
 
 TEST(Arena, MovingTakesTheMemoryAlong) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,36 @@ TEST(Parse, GivesTheUnitsOfALargeTextAsAlone) {
         ASSERT_EQ(alone.slots().size(), 1U);
         EXPECT_TRUE(*alone.slots()[0].unit == *slot.unit) << slot.offset;
     }
+}
+
+// Units of a large text share blocks of memory. Some take more of it than is expected of so many
+// tokens, so that there is not enough left of a block; one takes more than a block.
+std::string text_of_many_blocks() {
+    std::string some;
+    for (std::size_t count = 100; count <= 3000; count += 100)
+        some += program(repeated("x := x + {p} 1; (* c *)\n", count / 4)) + ";;;;;;;\n" +
+                program(repeated("NOT\n", count));
+    const std::string large = program(repeated("x := 1; y__ := 'a;\n", 20'000));
+    return some + large + some + large;
+}
+
+TEST(Parse, GivesUnitsThatShareABlockAsAlone) {
+    const SyntaxTree tree = parse(SourceText(text_of_many_blocks()));
+    ASSERT_EQ(tree.slots().size(), 122U);
+    for (const auto& slot : tree.slots()) {
+        const SyntaxTree alone = parse(SourceText(std::string(slot.unit->text())));
+        EXPECT_TRUE(*alone.slots()[0].unit == *slot.unit) << slot.offset;
+    }
+}
+
+TEST(Parse, LeavesAUnitToWhoHoldsItAlone) {
+    std::shared_ptr<const Unit> last;
+    {
+        const SyntaxTree tree = parse(SourceText(text_of_many_blocks()));
+        last = tree.slots()[1].unit;
+    }
+    const SyntaxTree alone = parse(SourceText(std::string(last->text())));
+    EXPECT_TRUE(*alone.slots()[0].unit == *last);
 }
 
 TEST(Parse, KeepsErrorsOfOneUnitFromAnother) {

@@ -39,6 +39,14 @@ TEST(ParserArena, GivesTheReserveWhenItIsOpened) {
     EXPECT_EQ(arena.try_allocate(room + 1, 1), nullptr);
 }
 
+TEST(ParserArena, HoldsBackAnewWhenItWasSplit) {
+    ParserArena arena(2 * (ParserArena::reserve_of_unit + room));
+    EXPECT_NE(arena.try_allocate(ParserArena::reserve_of_unit + room, 1), nullptr);
+    EXPECT_EQ(arena.split().capacity(), ParserArena::reserve_of_unit + room);
+    EXPECT_EQ(arena.try_allocate(room + 1, 1), nullptr);
+    EXPECT_NE(arena.try_allocate(room, 1), nullptr);
+}
+
 // Whatever the parser is about when there is no more room, it finds its way out.
 TEST(ParserArena, CanBeFullWhereverItIs) {
     for (const CaseFile& file : all_case_files())

@@ -11,10 +11,10 @@
 
 namespace iecfront {
 
-/// A block of memory that is given out piece by piece and released as a whole. Holds the tokens and
-/// nodes of a unit; nothing in it is ever destroyed, so only trivially destructible types may live
-/// there. What is in it refers to each other by distances (`ast::RelativePointer`), so that a copy
-/// of the block is a copy of all.
+/// A block of memory, or a part of one, that is given out piece by piece and released as a whole.
+/// Holds the tokens and nodes of a unit; nothing in it is ever destroyed, so only trivially
+/// destructible types may live there. What is in it refers to each other by distances
+/// (`ast::RelativePointer`), so that a copy of the block is a copy of all.
 class IECFRONT_API Arena {
 public:
     /// One without room.
@@ -65,6 +65,9 @@ public:
 
     /// A block that is just large enough for what was given out, with a copy of it.
     [[nodiscard]] Arena trimmed() const;
+    /// What was given out, as an arena without room. This one goes on with the rest of the block,
+    /// which is released with the last of its parts.
+    [[nodiscard]] Arena split();
     /// What lies in this arena, a copy of `other`, where `place` lies in that.
     template<class T>
     [[nodiscard]] const T* counterpart(const T* place, const Arena& other) const noexcept {
@@ -76,7 +79,7 @@ protected:
     std::size_t limit_ = 0; ///< how many bytes can be given out
 
 private:
-    std::unique_ptr<std::byte[]> block_;
+    std::shared_ptr<std::byte[]> block_;
     std::size_t capacity_ = 0;
     std::size_t used_ = 0;
 };

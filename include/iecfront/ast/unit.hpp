@@ -88,8 +88,9 @@ public:
         return text(range(node));
     }
 
-    /// Bytes of memory that the unit holds beside its text; more as soon as somebody asks for
-    /// `lines()`, as positions, dumps and the formatter do.
+    /// Bytes of memory that the unit takes beside its text; more as soon as somebody asks for
+    /// `lines()`, as positions, dumps and the formatter do. Units of a large text lie in blocks
+    /// that they share, and which are released with the last one in them.
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
 private:
