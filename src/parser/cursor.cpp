@@ -8,14 +8,17 @@
 namespace iecfront {
 
 Parser::Parser(std::string_view text, std::span<Token> tokens, std::span<const Diagnostic> lexical,
-               std::uint32_t opener, ParserArena& arena, const ParseOptions& options)
+               std::uint32_t opener, ParserArena& arena, const ParseOptions& options,
+               std::pmr::memory_resource& scratch)
     : text_(text),
       tokens_(tokens.data()),
       count_(static_cast<std::uint32_t>(tokens.size()) - 1),
       lexical_(lexical),
       opener_(opener),
       arena_(arena),
-      options_(options) {
+      options_(options),
+      pending_(&scratch),
+      open_(&scratch) {
     constexpr std::size_t usual_depth = 8; // of blocks
     open_.reserve(usual_depth);
     move_to(tokens_[0].kind() == TokenKind::unknown ? next(0) : 0);

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <memory_resource>
 #include <new>
 #include <optional>
 #include <span>
@@ -50,9 +51,11 @@ enum class BodyLanguage : std::uint8_t {
 class Parser {
 public:
     /// `tokens` ends in an end_of_unit token, which `opener` is as well when the unit cutter found
-    /// none. `lexical` is what the lexer reported, ordered by place. Nodes are made in `arena`.
+    /// none. `lexical` is what the lexer reported, ordered by place. Nodes are made in `arena`;
+    /// what the parser keeps of unfinished lists and open blocks takes memory of `scratch`.
     Parser(std::string_view text, std::span<Token> tokens, std::span<const Diagnostic> lexical,
-           std::uint32_t opener, ParserArena& arena, const ParseOptions& options);
+           std::uint32_t opener, ParserArena& arena, const ParseOptions& options,
+           std::pmr::memory_resource& scratch = *std::pmr::get_default_resource());
 
     /// Says that as many blocks of each kind begin as are closed, so that nobody counts them again.
     void know_balanced() noexcept {
@@ -1114,7 +1117,7 @@ private:
 
     ParserArena& arena_;
     const ParseOptions& options_;
-    std::vector<const ast::Node*> pending_; // of unfinished lists, the first `pending_count_`
+    std::pmr::vector<const ast::Node*> pending_; // of unfinished lists, the first `pending_count_`
     std::size_t pending_count_ = 0;
     std::size_t pending_room_ = 0;
     std::vector<Diagnostic> diagnostics_;
@@ -1123,7 +1126,7 @@ private:
     std::optional<PresumedBody> presumed_body_;
     bool presumes_statements_ = false;
     bool misjudged_ = false;
-    std::vector<OpenBlock> open_;
+    std::pmr::vector<OpenBlock> open_;
 
     struct ReservedWord {
         TokenKind kind;

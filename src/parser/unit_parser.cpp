@@ -6,8 +6,10 @@
 #include "parser/repair.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
+#include <memory_resource>
 #include <optional>
 #include <utility>
 
@@ -22,6 +24,9 @@ constexpr std::size_t shared_block = 512 * 1024;
 
 /// Of arena for each token of a unit: enough for most source.
 constexpr std::size_t bytes_per_token = 32;
+
+/// Of scratch memory for a unit: enough for most, so that the parser need not ask for any.
+constexpr std::size_t usual_scratch = 8 * 1024;
 
 /// True when a diagnostic of the lexer at `range` concerns what stands before `end`, where a unit
 /// ends. An empty range marks the place behind a token where something is missing.
@@ -57,7 +62,10 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
 /// Makes the tree as the text is. Nothing when statements were presumed where there are none.
 [[nodiscard]] std::optional<Reading> read_unrepaired(const ParserInput& input, ParserArena& arena,
                                                      bool presume_statements) {
-    Parser parser(input.text, input.tokens, input.lexical, input.opener, arena, input.options);
+    std::array<std::byte, usual_scratch> block;
+    std::pmr::monotonic_buffer_resource scratch(block.data(), block.size());
+    Parser parser(input.text, input.tokens, input.lexical, input.opener, arena, input.options,
+                  scratch);
     if (input.balanced)
         parser.know_balanced();
     if (presume_statements)
