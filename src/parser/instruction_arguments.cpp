@@ -57,11 +57,16 @@ Parser::Children<ast::Node> Parser::parse_il_arguments(std::uint32_t open,
     return list;
 }
 
-/// `name :=`, `name =>` or `NOT name =>`, also with `=` for `:=`.
+/// `name :=`, `name =>` or `NOT name =>`, also with `=` for `:=`, and with slips that can be
+/// nothing else.
 bool Parser::at_formal_argument(std::uint32_t index) const noexcept {
+    static constexpr TokenSet slips{TokenKind::colon, TokenKind::minus};
     if (tokens_[index].kind() == TokenKind::kw_not)
         index = next(index);
-    return begins_name(index) && argument_marks.contains(tokens_[next(index)].kind());
+    const std::uint32_t mark = next(index);
+    const TokenKind kind = tokens_[mark].kind();
+    return begins_name(index) &&
+           (argument_marks.contains(kind) || (slips.contains(kind) && mark_slip(mark).end != 0));
 }
 
 /// The same with its mark on one line. Behind an operator the mark does not end it: it would be in
