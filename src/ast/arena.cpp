@@ -15,12 +15,13 @@ constexpr std::size_t block_alignment = alignof(std::max_align_t);
 
 /// Aligned for whatever may live in it, and one piece of memory along with its count of owners.
 [[nodiscard]] std::shared_ptr<std::byte[]> make_block(std::size_t size) {
-    struct alignas(block_alignment) Piece {
+    struct alignas(block_alignment) Row {
         std::byte bytes[block_alignment];
     };
-    auto pieces = std::make_shared_for_overwrite<Piece[]>(aligned(size) / sizeof(Piece));
-    std::byte* const begin = reinterpret_cast<std::byte*>(pieces.get());
-    return {std::move(pieces), begin};
+    const std::size_t count = size / sizeof(Row) + (size % sizeof(Row) == 0 ? 0 : 1);
+    auto rows = std::make_shared_for_overwrite<Row[]>(count);
+    auto* const begin = reinterpret_cast<std::byte*>(rows.get());
+    return {std::move(rows), begin};
 }
 
 } // namespace

@@ -55,7 +55,7 @@ public:
     /// what the parser keeps of unfinished lists and open blocks takes memory of `scratch`.
     Parser(std::string_view text, std::span<Token> tokens, std::span<const Diagnostic> lexical,
            std::uint32_t opener, ParserArena& arena, const ParseOptions& options,
-           std::pmr::memory_resource& scratch = *std::pmr::get_default_resource());
+           std::pmr::memory_resource& scratch = *std::pmr::new_delete_resource());
 
     /// Says that as many blocks of each kind begin as are closed, so that nobody counts them again.
     void know_balanced() noexcept {

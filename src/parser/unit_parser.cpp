@@ -63,7 +63,8 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
 [[nodiscard]] std::optional<Reading> read_unrepaired(const ParserInput& input, ParserArena& arena,
                                                      bool presume_statements) {
     std::array<std::byte, usual_scratch> block;
-    std::pmr::monotonic_buffer_resource scratch(block.data(), block.size());
+    std::pmr::monotonic_buffer_resource scratch(block.data(), block.size(),
+                                                std::pmr::new_delete_resource());
     Parser parser(input.text, input.tokens, input.lexical, input.opener, arena, input.options,
                   scratch);
     if (input.balanced)
@@ -241,31 +242,39 @@ bool UnitReader::parse_into(Unit::Parts& parts) {
     const std::size_t maximum = options_.maximum_unit_memory;
     if (tokens().size_bytes() + sizeof(Token) + trivia().size_bytes() > maximum)
         return false;
-    if (!parse_in_shared_room(parts) && !parse_in_own_room(parts))
+    if (parse_in_shared_room(parts)) {
+        if (shared_room_.used() > maximum)
+            return false;
+        parts.arena = shared_room_.split();
+        return true;
+    }
+    if (!parse_in_own_room(parts) || own_room_.used() > maximum)
         return false;
-    return parts.arena.used() <= maximum;
+    move_out(parts);
+    return true;
 }
 
-/// It stays in the block. False when there is none for it, or not enough of it, which is then left:
-/// so no more of a block is lost than a unit takes.
+/// False when there is no block for it, or not enough room in it. What is lost of a block is less
+/// than `most_of_a_unit`.
 bool UnitReader::parse_in_shared_room(Unit::Parts& parts) {
+    constexpr std::size_t most_of_a_unit = shared_block / 4;
     const std::size_t usual = usual_room();
-    if (memory_ == UnitMemory::own || usual > shared_block / 4)
+    if (memory_ == UnitMemory::own || usual > most_of_a_unit ||
+        most_room() < shared_block) // there it could have more room than alone
         return false;
     if (shared_room_.capacity() < usual) {
         if (buffer_->size() - begin_ < shared_block / 2) // the tree of the rest may not fill one
             return false;
         shared_room_ = ParserArena(shared_block);
     }
-    if (!parse_in(shared_room_, parts)) {
+    if (parse_in(shared_room_, parts))
+        return true;
+    if (shared_room_.capacity() < most_of_a_unit)
         shared_room_ = ParserArena();
-        return false;
-    }
-    parts.arena = shared_room_.split();
-    return true;
+    return false;
 }
 
-/// It is moved to a block that is just large enough. False when it takes more than can be allowed.
+/// False when it takes more than can be allowed.
 bool UnitReader::parse_in_own_room(Unit::Parts& parts) {
     if (own_room_.capacity() < usual_room())
         own_room_ = ParserArena(usual_room());
@@ -276,7 +285,6 @@ bool UnitReader::parse_in_own_room(Unit::Parts& parts) {
         own_room_ = ParserArena(); // first, so that both are not there at once
         own_room_ = ParserArena(std::min(2 * capacity, most_room()));
     }
-    move_out(parts);
     return true;
 }
 
@@ -320,6 +328,7 @@ bool UnitReader::parse_in(ParserArena& room, Unit::Parts& parts) {
     return true;
 }
 
+/// To a block that is just large enough.
 void UnitReader::move_out(Unit::Parts& parts) const {
     parts.arena = own_room_.trimmed();
     parts.tokens = {parts.arena.counterpart(parts.tokens.data(), own_room_), parts.tokens.size()};

@@ -57,13 +57,34 @@ MemoryCounts stop_counting_memory() noexcept {
 
 } // namespace iecfront::bench
 
-// The forms for arrays and those without exceptions call these.
+// All but those for larger alignments: with a sanitizer, no form calls another one.
 void* operator new(std::size_t size) {
+    return iecfront::bench::allocate(size);
+}
+void* operator new[](std::size_t size) {
+    return iecfront::bench::allocate(size);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return iecfront::bench::allocate(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
     return iecfront::bench::allocate(size);
 }
 void operator delete(void* memory) noexcept {
     iecfront::bench::release(memory);
 }
+void operator delete[](void* memory) noexcept {
+    iecfront::bench::release(memory);
+}
 void operator delete(void* memory, std::size_t) noexcept {
+    iecfront::bench::release(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    iecfront::bench::release(memory);
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
+    iecfront::bench::release(memory);
+}
+void operator delete[](void* memory, const std::nothrow_t&) noexcept {
     iecfront::bench::release(memory);
 }

@@ -26,10 +26,10 @@ struct TreeMemory {
     return static_cast<double>(bytes);
 }
 
-[[nodiscard]] TreeMemory memory_of_tree(std::string text) {
+[[nodiscard]] TreeMemory memory_of_tree(std::string text, const ParseOptions& options = {}) {
     const SourceText source(std::move(text), "memory.st");
     start_counting_memory();
-    const SyntaxTree tree = parse(source);
+    const SyntaxTree tree = parse(source, options);
     const MemoryCounts counts = stop_counting_memory();
     return {static_cast<double>(counts.live), static_cast<double>(counts.peak),
             memory_of_units(tree)};
@@ -67,6 +67,33 @@ TEST(Memory, TreeHoldsLittleMoreThanItsUnits) {
             text += unit + generate_source(300, 3);
         const TreeMemory memory = memory_of_tree(text);
         EXPECT_LE(memory.live, 1.3 * memory.units) << count;
+    }
+}
+
+// Units of a large text take no memory of their own but for what a `Unit` is.
+TEST(Memory, UnitsOfALargeTextShareBlocks) {
+    const SourceText source(generate_source(3'000'000, 6), "memory.st");
+    start_counting_memory();
+    const SyntaxTree tree = parse(source);
+    const MemoryCounts counts = stop_counting_memory();
+    EXPECT_LT(counts.allocations, 3 * tree.slots().size() / 2);
+}
+
+// What is not kept does not stay in the blocks either, nor are these given up for units that take
+// much while they are read.
+TEST(Memory, UnitsThatAreRefusedOrNestDeepCostNoBlocks) {
+    const std::string small = "PROGRAM p END_PROGRAM\n";
+    ParseOptions options;
+    options.maximum_unit_memory = 100'000;
+    options.maximum_nesting = 2000;
+    for (const std::string& large :
+         {instructions(2'000), instructions(8'000),
+          "PROGRAM p x := " + std::string(1'000, '(') + " END_PROGRAM\n"}) {
+        std::string text;
+        while (text.size() < 2'000'000)
+            text += small + large;
+        const TreeMemory memory = memory_of_tree(text, options);
+        EXPECT_LE(memory.live, 1.4 * memory.units + 600'000) << large.substr(0, 80);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <iecfront/parser/parse.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
@@ -85,13 +86,31 @@ TEST(Parse, GivesUnitsThatShareABlockAsAlone) {
 }
 
 TEST(Parse, LeavesAUnitToWhoHoldsItAlone) {
-    std::shared_ptr<const Unit> last;
-    {
-        const SyntaxTree tree = parse(SourceText(text_of_many_blocks()));
-        last = tree.slots()[1].unit;
+    const std::shared_ptr<const Unit> unit =
+        parse(SourceText(text_of_many_blocks())).slots()[1].unit;
+    const SyntaxTree alone = parse(SourceText(std::string(unit->text())));
+    EXPECT_TRUE(*alone.slots()[0].unit == *unit);
+}
+
+// A unit is not less refused where there is a block with room for it: neither one whose tree is too
+// large, nor one where it takes more than its tree to find the token that is out of place.
+TEST(Parse, RefusesAUnitWhateverFollows) {
+    const std::string sum = repeated(" + d", 1750);
+    const std::string rest = "\nPROGRAM q (*" + std::string(300'000, 'x') + "*) END_PROGRAM";
+    ParseOptions options;
+    for (const std::uint32_t nesting : {8U, 2000U}) {
+        options.maximum_nesting = nesting;
+        for (const std::string& unit : {"PROGRAM p a := b" + sum + "; END_PROGRAM",
+                                        "PROGRAM p a := b c" + sum + "; END_IF; END_PROGRAM"}) {
+            for (std::uint32_t maximum = 20'000; maximum < 100'000; maximum += 500) {
+                options.maximum_unit_memory = maximum;
+                const SyntaxTree alone = parse(SourceText(unit), options);
+                const SyntaxTree first = parse(SourceText(unit + rest), options);
+                EXPECT_TRUE(*alone.slots()[0].unit == *first.slots()[0].unit)
+                    << nesting << " " << maximum;
+            }
+        }
     }
-    const SyntaxTree alone = parse(SourceText(std::string(last->text())));
-    EXPECT_TRUE(*alone.slots()[0].unit == *last);
 }
 
 TEST(Parse, KeepsErrorsOfOneUnitFromAnother) {

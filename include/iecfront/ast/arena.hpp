@@ -57,7 +57,7 @@ public:
         return {data, items.size()};
     }
 
-    /// Bytes of the block, and how many of them were given out.
+    /// Bytes of the block, or of the part of one, and how many of them were given out.
     [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
     [[nodiscard]] std::size_t used() const noexcept { return used_; }
     /// Takes back what was given out behind the first `used` bytes.
