@@ -1,5 +1,6 @@
 #include <iecfront/diagnostics/render_text.hpp>
 
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -157,13 +158,17 @@ TEST(Snippet, CutsALongLineOnBothSides) {
 }
 
 TEST(Snippet, CutsNoCharacterOfALongLine) {
-    std::string line;
-    std::string shown;
-    for (int i = 0; i < 300; ++i)
-        line += "\xE2\x82\xAC";
-    for (int i = 0; i < 100; ++i)
-        shown += "\xE2\x82\xAC";
-    EXPECT_EQ(snippet(line, {450, 453}), "..." + shown + "...\n" + std::string(43, ' ') + "^\n");
+    for (const std::string character : {"\xC3\x84", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"}) {
+        const auto size = static_cast<std::uint32_t>(character.size());
+        std::string line;
+        std::string shown;
+        for (int i = 0; i < 300; ++i)
+            line += character;
+        for (int i = 0; i < 100; ++i)
+            shown += character;
+        EXPECT_EQ(snippet(line, {150 * size, 151 * size}),
+                  "..." + shown + "...\n" + std::string(43, ' ') + "^\n");
+    }
 }
 
 TEST(Snippet, TabsBeforeALongLineDoNotHideTheRange) {
