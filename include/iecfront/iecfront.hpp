@@ -6,6 +6,7 @@
 #include <iecfront/ast/dump.hpp>
 #include <iecfront/ast/editor_ranges.hpp>
 #include <iecfront/ast/nodes.hpp>
+#include <iecfront/ast/stored_nodes.hpp>
 #include <iecfront/ast/syntax_tree.hpp>
 #include <iecfront/ast/token_classes.hpp>
 #include <iecfront/ast/visitor.hpp>

@@ -1,8 +1,11 @@
+#include "ast/unused_nodes.hpp"
+
 #include <iecfront/ast/nodes.hpp>
 #include <iecfront/ast/unit.hpp>
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 namespace iecfront {
@@ -47,6 +50,23 @@ const LineTable& Unit::lines() const noexcept {
     if (lines_.compare_exchange_strong(lines, made.get(), std::memory_order_acq_rel))
         return *made.release();
     return *lines;
+}
+
+// Where nothing is reported, the parser has kept all that it made.
+ast::StoredNodes Unit::nodes() const {
+    if (!parts_.diagnostics.empty() && !nodes_looked_through_.load(std::memory_order_acquire))
+        look_through_nodes();
+    return ast::StoredNodes(parts_.node_memory);
+}
+
+// One lock for all units is enough, as each takes it once.
+void Unit::look_through_nodes() const {
+    static std::mutex one_thread;
+    const std::lock_guard lock(one_thread);
+    if (nodes_looked_through_.load(std::memory_order_relaxed))
+        return;
+    ast::mark_unused_but_below(root(), parts_.node_memory);
+    nodes_looked_through_.store(true, std::memory_order_release);
 }
 
 TextRange Unit::range(const ast::Node& node) const noexcept {

@@ -1,25 +1,13 @@
+#include <iecfront/ast/fetch_ahead.hpp>
 #include <iecfront/ast/visitor.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 namespace iecfront::ast::detail {
 namespace {
-
-/// Asks for what lies some way behind `node`, where compilers can: nodes lie about in the order in
-/// which they are walked, and by then memory has it ready.
-void fetch_ahead(const Node& node) noexcept {
-#ifdef __GNUC__
-    constexpr std::uintptr_t distance = 16 * 1024; // bytes
-    __builtin_prefetch(
-        reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(&node) + distance));
-#else
-    static_cast<void>(node);
-#endif
-}
 
 /// No more children than these are in a member of a node.
 template<class Member>
@@ -70,7 +58,7 @@ const Node** PendingNodes::push_children_of(const Struct& node, const Node** top
 // Out of line: with a row of cases for each kind of node, it would make each program that walks
 // slow to compile. The cases stand here, as `dispatch` would hand the top on in memory.
 const Node** PendingNodes::push_children(const Node& node, const Node** top) {
-    fetch_ahead(node);
+    fetch_ahead(&node);
     switch (node.kind) {
 #define IECFRONT_NODE(enumerator, Struct, Category, production)                                    \
     case NodeKind::enumerator:                                                                     \

@@ -1,3 +1,4 @@
+#include "ast/unused_nodes.hpp"
 #include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
 
@@ -735,14 +736,16 @@ const ast::Statement* Parser::make_invocation(const ast::FunctionCall& call) {
     auto* node = make_from<ast::FbInvocation>(&call);
     node->fb_name = call.function.get();
     node->arguments = call.arguments.children();
+    ast::mark_unused(call, arena_.bytes());
     finish(node);
-    if (call.function->kind == ast::NodeKind::dereferenced_variable)
+    const ast::Expression& called = *node->fb_name;
+    if (called.kind == ast::NodeKind::dereferenced_variable)
         return node; // which was reported
-    if (call.function->kind != ast::NodeKind::variable_name) {
-        report_call_of_member(*call.function);
-    } else if (const std::string name(text(call.function->first_token));
+    if (called.kind != ast::NodeKind::variable_name) {
+        report_call_of_member(called);
+    } else if (const std::string name(text(called.first_token));
                standard_name(name) == StandardName::function) {
-        report_node(*call.function, DiagnosticId::function_call_statement, {name});
+        report_node(called, DiagnosticId::function_call_statement, {name});
     }
     return node;
 }

@@ -1,3 +1,4 @@
+#include "ast/unused_nodes.hpp"
 #include "lexer/keywords.hpp"
 #include "parser/misspelling.hpp"
 #include "parser/parser.hpp"
@@ -319,6 +320,7 @@ const ast::TypeSpecification* Parser::parse_elementary_type() {
 const ast::TypeSpecification* Parser::parse_string_specification(const ast::Node* keyword) {
     auto* node = make_from<ast::StringSpecification>(keyword);
     node->double_byte = tokens_[keyword->first_token].kind() == TokenKind::kw_wstring;
+    ast::mark_unused(*keyword, arena_.bytes());
     const bool parentheses = at(TokenKind::left_parenthesis);
     const std::uint32_t open = advance();
     node->length = parse_integer("the length of a string");

@@ -102,6 +102,7 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
 void leave_unexamined(Unit::Parts& parts, Diagnostic report) {
     parts.arena = Arena(sizeof(ast::LibraryUnit) + sizeof(Trivia));
     parts.root = parts.arena.create<ast::LibraryUnit>();
+    parts.node_memory = parts.arena.bytes();
     parts.tokens = {};
     parts.trivia = {};
     const auto size = static_cast<std::uint32_t>(parts.text.size());
@@ -316,6 +317,8 @@ bool UnitReader::parse_in(ParserArena& room, Unit::Parts& parts) {
     if (lengths_ > options_.maximum_identifier_length)
         report_long_identifier(tokens, options_.maximum_identifier_length, lexical);
     sort_by_place(lexical);
+    static_assert(sizeof(Trivia) % alignof(ast::Node) == 0); // the first node adjoins it
+    const std::size_t used = room.used();
     std::optional<Reading> reading =
         read({parts.text, tokens, lexical, opener(), balanced(), options_}, room);
     if (!reading)
@@ -325,6 +328,7 @@ bool UnitReader::parse_in(ParserArena& room, Unit::Parts& parts) {
     parts.tokens = tokens.first(tokens.size() - 1);
     parts.trivia = trivia;
     parts.root = reading->root;
+    parts.node_memory = room.bytes().subspan(used);
     return true;
 }
 
@@ -336,6 +340,7 @@ void UnitReader::move_out(Unit::Parts& parts) const {
         parts.trivia = {parts.arena.counterpart(parts.trivia.data(), own_room_),
                         parts.trivia.size()};
     parts.root = parts.arena.counterpart(parts.root, own_room_);
+    parts.node_memory = parts.arena.bytes().last(parts.node_memory.size());
 }
 
 /// With end_of_unit behind them.

@@ -7,8 +7,8 @@
 namespace iecfront::bench {
 namespace {
 
-constexpr std::array<std::string_view, 8> step_names = {"lex",    "lex_cut", "parse", "walk",
-                                                        "format", "memory",  "edit",  "check"};
+constexpr std::array<std::string_view, 9> step_names = {
+    "lex", "lex_cut", "parse", "walk", "nodes", "format", "memory", "edit", "check"};
 
 template<class Number>
 [[nodiscard]] Number number(std::string_view text, std::string& error) {
@@ -51,7 +51,8 @@ std::string_view usage() noexcept {
            "  --size N        a generated text of N MB; can be repeated (1 and 10)\n"
            "  --seed N        of the generator (1)\n"
            "  --runs N        of each step (5)\n"
-           "  --only STEP     lex, lex_cut, parse, walk, format, memory, edit or check; can be\n"
+           "  --only STEP     lex, lex_cut, parse, walk, nodes, format, memory, edit or check; "
+           "can\n"
            "                  repeated (all)\n"
            "  --command PATH  the program iecfront that `check` runs (the one built along)\n"
            "  --json          for programs\n"

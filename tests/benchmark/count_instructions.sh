@@ -31,11 +31,14 @@ figures() {
     lex_cut=$(count lex_cut generated $text_size)
     parse=$(count parse generated $text_size)
     walk=$(count walk generated $text_size)
-    awk -v size=$text_size -v text="$text" -v lex="$lex_cut" -v parse="$parse" -v walk="$walk" '
+    nodes=$(count nodes generated $text_size)
+    awk -v size=$text_size -v text="$text" -v lex="$lex_cut" -v parse="$parse" -v walk="$walk" \
+        -v nodes="$nodes" '
         BEGIN {
             printf "lex_cut %.2f\n", (lex - text) / size
             printf "parse %.2f\n", (parse - text) / size
             printf "walk %.2f\n", (walk - parse) / size
+            printf "nodes %.2f\n", (nodes - parse) / size
         }'
 }
 

@@ -18,4 +18,13 @@ namespace iecfront::bench {
     return nodes;
 }
 
+/// As they are stored.
+[[nodiscard]] inline std::size_t count_stored_nodes(const SyntaxTree& tree) {
+    std::size_t nodes = 0;
+    for (const SyntaxTree::Slot& slot : tree.slots())
+        for ([[maybe_unused]] const ast::Node& node : slot.unit->nodes())
+            ++nodes;
+    return nodes;
+}
+
 } // namespace iecfront::bench

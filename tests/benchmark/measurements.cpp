@@ -83,6 +83,7 @@ private:
         });
         measure("parse", [this] { sink = parse(source_).slots().size(); });
         measure("walk", [this] { sink = count_nodes(tree_); });
+        measure("nodes", [this] { sink = count_stored_nodes(tree_); });
         measure("format", [this] { sink = format(tree_).size(); });
     }
 

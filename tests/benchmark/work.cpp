@@ -60,6 +60,8 @@ namespace {
         return tree.slots().size();
     if (step == "walk")
         return count_nodes(tree);
+    if (step == "nodes")
+        return count_stored_nodes(tree);
     if (step == "edit")
         return edit_everywhere(tree);
     return render_text(tree.diagnostics(), source).size(); // report

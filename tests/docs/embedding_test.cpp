@@ -168,6 +168,19 @@ TEST(Embedding, Walk) {
     EXPECT_GT(deepest, 3);
 }
 
+TEST(Embedding, Nodes) {
+    iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
+    const iecfront::Unit& unit = *tree.slots()[0].unit;
+
+    // How often is a variable named?
+    int uses = 0;
+    for (const iecfront::ast::Node& node : unit.nodes())
+        if (const auto* name = iecfront::ast::as<iecfront::ast::VariableName>(&node))
+            uses += iecfront::names_equal(unit.text(*name), "final") ? 1 : 0;
+
+    EXPECT_EQ(uses, 2);
+}
+
 TEST(Embedding, NodeAt) {
     iecfront::SyntaxTree tree = iecfront::parse(iecfront::SourceText(example));
     std::uint32_t cursor = tree.offset({5, 9});

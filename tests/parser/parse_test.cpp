@@ -1,4 +1,5 @@
 #include "support/count_nodes.hpp"
+#include "support/tree_faults.hpp"
 
 #include <iecfront/ast/dump.hpp>
 #include <iecfront/parser/parse.hpp>
@@ -14,6 +15,7 @@ namespace iecfront {
 namespace {
 
 using test::count_nodes;
+using test::tree_fault;
 
 std::string repeated(std::string_view text, std::size_t times) {
     std::string result;
@@ -77,8 +79,10 @@ std::string text_of_many_blocks() {
 }
 
 TEST(Parse, GivesUnitsThatShareABlockAsAlone) {
-    const SyntaxTree tree = parse(SourceText(text_of_many_blocks()));
+    const std::string text = text_of_many_blocks();
+    const SyntaxTree tree = parse(SourceText(text));
     ASSERT_EQ(tree.slots().size(), 122U);
+    EXPECT_EQ(tree_fault(tree, text), "");
     for (const auto& slot : tree.slots()) {
         const SyntaxTree alone = parse(SourceText(std::string(slot.unit->text())));
         EXPECT_TRUE(*alone.slots()[0].unit == *slot.unit) << slot.offset;

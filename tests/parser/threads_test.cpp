@@ -1,13 +1,16 @@
 #include <iecfront/ast/dump.hpp>
 #include <iecfront/parser/parse.hpp>
 
+#include <cstddef>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
 
-// ThreadSanitizer looks at these: no state is shared but what nobody writes, and the table of lines
-// of a unit, which the first thread that has made one hands to all.
+// ThreadSanitizer looks at these: no state is shared but what nobody writes, the table of lines of
+// a unit, which the first thread that has made one hands to all, and whether its nodes were looked
+// through.
 
 namespace iecfront {
 namespace {
@@ -63,6 +66,20 @@ TEST(Threads, AskOneUnitForItsLinesAtOnce) {
         in_threads([&](int i) { tables[static_cast<std::size_t>(i)] = &unit.lines(); });
         EXPECT_EQ(tables, std::vector<const LineTable*>(thread_count, &unit.lines()));
         EXPECT_EQ(unit.lines().line_end_count(), 3U);
+    }
+}
+
+// The first one that asks looks through them.
+TEST(Threads, AskOneUnitForItsNodesAtOnce) {
+    for (int round = 0; round < 20; ++round) {
+        const SyntaxTree tree = parse(SourceText("PROGRAM p\na := 1 b c;\nEND_PROGRAM\n"));
+        const Unit& unit = *tree.slots().front().unit;
+        std::vector<std::ptrdiff_t> counts(thread_count);
+        in_threads([&](int i) {
+            counts[static_cast<std::size_t>(i)] = std::ranges::distance(unit.nodes());
+        });
+        EXPECT_EQ(counts,
+                  std::vector<std::ptrdiff_t>(thread_count, std::ranges::distance(unit.nodes())));
     }
 }
 

@@ -220,6 +220,25 @@ private:
     std::string fault_;
 };
 
+/// What `Unit::nodes` gives has to be what a walk comes to.
+[[nodiscard]] std::string stored_nodes_fault(const Unit& unit) {
+    std::vector<const Node*> walked;
+    ast::walk(unit.root(), [&](const Node& node) {
+        walked.push_back(&node);
+        return ast::Walk::into;
+    });
+    std::ranges::sort(walked);
+    auto expected = walked.begin();
+    for (const Node& stored : unit.nodes()) {
+        if (expected == walked.end() || *expected != &stored)
+            return "a node that is stored is not in the tree, or not the next one in memory: " +
+                   std::string(to_string(stored.kind)) + " of tokens " +
+                   in_words({stored.first_token, stored.end_token});
+        ++expected;
+    }
+    return expected == walked.end() ? "" : "not all nodes are stored";
+}
+
 // ---- diagnostics
 // ---------------------------------------------------------------------------------
 
@@ -341,7 +360,7 @@ std::string tree_fault(const SyntaxTree& tree, std::string_view text) {
         if (fault.empty())
             fault = first_fault(
                 [&] { return element_fault(unit, slot.offset == 0); },
-                [&] { return NodeChecker(unit).check(); },
+                [&] { return NodeChecker(unit).check(); }, [&] { return stored_nodes_fault(unit); },
                 [&] { return diagnostics_fault(unit.diagnostics(), unit.text().size()); });
     }
     return fault.empty() ? diagnostics_fault(tree.diagnostics(), text.size()) : fault;

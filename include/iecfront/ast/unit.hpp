@@ -2,6 +2,7 @@
 
 #include <iecfront/ast/arena.hpp>
 #include <iecfront/ast/node.hpp>
+#include <iecfront/ast/stored_nodes.hpp>
 #include <iecfront/diagnostics/diagnostic.hpp>
 #include <iecfront/export.hpp>
 #include <iecfront/lexer/token.hpp>
@@ -9,6 +10,7 @@
 #include <iecfront/source/line_table.hpp>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -20,9 +22,10 @@ namespace iecfront {
 
 /// A self-contained piece of a file: one library element declaration (B.0) with the white space,
 /// comments and pragmas before it, and the comments and pragmas behind it on the line of its end;
-/// the last unit of a file also holds all that follows. Immutable, but for the table of `lines()`.
-/// Everything in it counts from its own start, so that it stays as it is when the text before it
-/// changes, and can be shared by the trees of several versions of a file, and by threads.
+/// the last unit of a file also holds all that follows. Immutable, but for what `lines()` and
+/// `nodes()` find out. Everything in it counts from its own start, so that it stays as it is when
+/// the text before it changes, and can be shared by the trees of several versions of a file, and by
+/// threads.
 class IECFRONT_API Unit {
 public:
     /// What a unit is made of. The parser fills it in.
@@ -34,6 +37,7 @@ public:
         std::span<const Token> tokens;             ///< what `Unit::tokens` gives
         std::span<const Trivia> trivia;            ///< what `Unit::trivia` gives
         const ast::LibraryUnit* root = nullptr;    ///< not null in a unit
+        std::span<std::byte> node_memory;          ///< all nodes and rows of children
         std::vector<Diagnostic> diagnostics;       ///< ordered by position
         bool depends_on_rest = false;              ///< what `Unit::depends_on_rest` gives
     };
@@ -58,6 +62,10 @@ public:
     [[nodiscard]] std::span<const Trivia> trivia() const noexcept { return parts_.trivia; }
     /// The syntax tree of the unit. It is there whatever the text.
     [[nodiscard]] const ast::LibraryUnit& root() const noexcept { return *parts_.root; }
+    /// All nodes of the tree, the root among them, in no order to rely on: see `ast::walk` for
+    /// source order. When somebody asks for them for the first time, whatever the thread, a unit
+    /// with diagnostics is walked through, as nodes may have been made in it that nobody needs.
+    [[nodiscard]] ast::StoredNodes nodes() const;
     /// What was found in this unit, ordered by position; ranges count from the start of the unit.
     [[nodiscard]] std::span<const Diagnostic> diagnostics() const noexcept {
         return parts_.diagnostics;
@@ -94,9 +102,12 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
 private:
+    void look_through_nodes() const;
+
     Parts parts_;
     std::uint32_t line_end_count_;
     mutable std::atomic<const LineTable*> lines_ = nullptr; // owned
+    mutable std::atomic<bool> nodes_looked_through_ = false;
 };
 
 /// True when both have the same text, tokens, trivia, nodes and diagnostics.
