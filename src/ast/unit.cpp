@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <utility>
 
 namespace iecfront {
@@ -52,21 +51,26 @@ const LineTable& Unit::lines() const noexcept {
     return *lines;
 }
 
-// Where nothing is reported, the parser has kept all that it made.
+// Where nothing is reported, the parser has marked what it does not use.
 ast::StoredNodes Unit::nodes() const {
-    if (!parts_.diagnostics.empty() && !nodes_looked_through_.load(std::memory_order_acquire))
-        look_through_nodes();
-    return ast::StoredNodes(parts_.node_memory);
+    if (!parts_.diagnostics.empty() &&
+        node_state_.load(std::memory_order_acquire) != NodeState::known)
+        look_at_nodes();
+    const std::span<const std::byte> memory = parts_.arena.bytes();
+    return ast::StoredNodes(memory.subspan(ast::place_of(root(), memory)));
 }
 
-// One lock for all units is enough, as each takes it once.
-void Unit::look_through_nodes() const {
-    static std::mutex one_thread;
-    const std::lock_guard lock(one_thread);
-    if (nodes_looked_through_.load(std::memory_order_relaxed))
-        return;
-    ast::mark_unused_but_below(root(), parts_.node_memory);
-    nodes_looked_through_.store(true, std::memory_order_release);
+// By the first thread that comes; others wait for it.
+void Unit::look_at_nodes() const {
+    NodeState state = NodeState::unknown;
+    if (node_state_.compare_exchange_strong(state, NodeState::looked_at,
+                                            std::memory_order_acquire)) {
+        ast::mark_all_unused_but(root(), parts_.arena.bytes());
+        node_state_.store(NodeState::known, std::memory_order_release);
+        node_state_.notify_all();
+    }
+    while (node_state_.load(std::memory_order_acquire) == NodeState::looked_at)
+        node_state_.wait(NodeState::looked_at, std::memory_order_acquire);
 }
 
 TextRange Unit::range(const ast::Node& node) const noexcept {

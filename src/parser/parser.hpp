@@ -235,8 +235,9 @@ private:
     /// What a `List` is made of: children that lie in the arena.
     template<class T>
     using Children = std::span<const ast::Child<T>>;
-    /// `nodes`, at least one, as the children of a list. When there is no room, they are some of
-    /// them: what is made is of no use then.
+    /// `nodes`, at least one, as the children of a list, which lies behind them: by that
+    /// `ast::StoredNodes` tells it from a node. When there is no room, they are some of them: what
+    /// is made is of no use then.
     template<class T>
     Children<T> make_children(std::span<const ast::Node* const> nodes) {
         constexpr std::size_t size = sizeof(ast::Child<T>);
@@ -900,6 +901,7 @@ private:
     const ast::CaseElement* parse_case_element();
     const ast::Node* parse_case_label();
     const ast::Expression* parse_constant_label();
+    /// In the place of `call`, which nobody may look at any more.
     const ast::Statement* make_invocation(const ast::FunctionCall& call);
     [[nodiscard]] bool followed_by_end_if_of(std::uint32_t end,
                                              std::uint32_t opener) const noexcept;

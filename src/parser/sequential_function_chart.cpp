@@ -501,8 +501,12 @@ const ast::Transition* Parser::parse_transition() {
     node->priority = parse_optional_priority();
     node->from = parse_steps_behind(TokenKind::kw_from);
     node->to = parse_steps_behind(TokenKind::kw_to);
-    if (accept(TokenKind::kw_from)) // the parts in the wrong order
+    if (at(TokenKind::kw_from)) {
+        if (!node->from->missing) // else the parts are in the wrong order, which was reported
+            report_unexpected("`:=`");
+        advance();
         parse_steps();
+    }
     const std::size_t reports = diagnostics_.size();
     node->condition = parse_transition_condition();
     skip_rest_of_transition(diagnostics_.size() != reports);

@@ -988,6 +988,7 @@ const ast::Expression* Parser::as_enumerated_value(const ast::Expression& name) 
     auto* node = make_from<ast::EnumeratedValue>(&name);
     node->hash = static_cast<const ast::VariableName&>(name).hash;
     node->end_token = name.end_token;
+    ast::mark_unused(name, arena_.bytes());
     return node;
 }
 

@@ -101,14 +101,13 @@ void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
 
 void leave_unexamined(Unit::Parts& parts, Diagnostic report) {
     parts.arena = Arena(sizeof(ast::LibraryUnit) + sizeof(Trivia));
-    parts.root = parts.arena.create<ast::LibraryUnit>();
-    parts.node_memory = parts.arena.bytes();
     parts.tokens = {};
     parts.trivia = {};
     const auto size = static_cast<std::uint32_t>(parts.text.size());
     const Trivia all{{0, size}, TriviaKind::comment};
     if (size > 0)
         parts.trivia = parts.arena.copy(std::span(&all, 1));
+    parts.root = parts.arena.create<ast::LibraryUnit>();
     parts.diagnostics.clear();
     parts.diagnostics.push_back(std::move(report));
 }
@@ -317,8 +316,6 @@ bool UnitReader::parse_in(ParserArena& room, Unit::Parts& parts) {
     if (lengths_ > options_.maximum_identifier_length)
         report_long_identifier(tokens, options_.maximum_identifier_length, lexical);
     sort_by_place(lexical);
-    static_assert(sizeof(Trivia) % alignof(ast::Node) == 0); // the first node adjoins it
-    const std::size_t used = room.used();
     std::optional<Reading> reading =
         read({parts.text, tokens, lexical, opener(), balanced(), options_}, room);
     if (!reading)
@@ -328,7 +325,6 @@ bool UnitReader::parse_in(ParserArena& room, Unit::Parts& parts) {
     parts.tokens = tokens.first(tokens.size() - 1);
     parts.trivia = trivia;
     parts.root = reading->root;
-    parts.node_memory = room.bytes().subspan(used);
     return true;
 }
 
@@ -340,7 +336,6 @@ void UnitReader::move_out(Unit::Parts& parts) const {
         parts.trivia = {parts.arena.counterpart(parts.trivia.data(), own_room_),
                         parts.trivia.size()};
     parts.root = parts.arena.counterpart(parts.root, own_room_);
-    parts.node_memory = parts.arena.bytes().last(parts.node_memory.size());
 }
 
 /// With end_of_unit behind them.

@@ -34,6 +34,7 @@ SyntaxTree parse_in_program(const std::string& lines) {
 TEST(StoredNodes, AreThoseThatAWalkComesTo) {
     const SyntaxTree tree = parse_in_program("VAR a, b : ARRAY [1..2, 3..4] OF INT; END_VAR\n"
                                              "IF a[1, 3] > b[b[1, 3], 4] THEN t(IN := a); END_IF;");
+    EXPECT_TRUE(tree.diagnostics().empty());
     std::multiset<const ast::Node*> walked;
     ast::walk(first_unit(tree).root(), [&](const ast::Node& node) {
         walked.insert(&node);
@@ -60,6 +61,7 @@ TEST(StoredNodes, PassLongRowsOfChildren) {
         values += ", " + std::to_string(i);
     const SyntaxTree tree =
         parse_in_program("VAR a : ARRAY [0..2999] OF INT := [" + values + "]; END_VAR\n;");
+    EXPECT_TRUE(tree.diagnostics().empty());
     EXPECT_EQ(count(first_unit(tree), ast::NodeKind::integer_literal), 3002);
 }
 
@@ -82,6 +84,13 @@ TEST(StoredNodes, HaveNoneThatRecoveryGaveUp) {
     EXPECT_EQ(tree_fault(tree, text), "");
     EXPECT_EQ(count(first_unit(tree), ast::NodeKind::error_type), 1);
     EXPECT_EQ(count(first_unit(tree), ast::NodeKind::elementary_type_name), 0); // INT
+}
+
+// `2` is passed over when the unit is read for the second time.
+TEST(StoredNodes, AreThoseOfTheRepairedText) {
+    const std::string text = "PROGRAM p\nt(IN := a, 2 PT := T#1s);\nEND_PROGRAM\n";
+    const SyntaxTree tree = parse(SourceText(text));
+    EXPECT_EQ(tree_fault(tree, text), "");
 }
 
 TEST(StoredNodes, AreOneOfAUnitThatIsNotExamined) {

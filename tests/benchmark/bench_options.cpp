@@ -51,9 +51,8 @@ std::string_view usage() noexcept {
            "  --size N        a generated text of N MB; can be repeated (1 and 10)\n"
            "  --seed N        of the generator (1)\n"
            "  --runs N        of each step (5)\n"
-           "  --only STEP     lex, lex_cut, parse, walk, nodes, format, memory, edit or check; "
-           "can\n"
-           "                  repeated (all)\n"
+           "  --only STEP     lex, lex_cut, parse, walk, nodes, format, memory, edit or check;\n"
+           "                  can be repeated (all)\n"
            "  --command PATH  the program iecfront that `check` runs (the one built along)\n"
            "  --json          for programs\n"
            "With files, these are measured and no text is generated.\n";

@@ -96,7 +96,7 @@ int main(int count, char** arguments) {
         list_shapes();
         return 0;
     }
-    std::fputs("usage: iecfront_work text|lex_cut|parse|walk|edit|report TEXT SIZE\n"
+    std::fputs("usage: iecfront_work text|lex_cut|parse|walk|nodes|edit|report TEXT SIZE\n"
                "       iecfront_work shapes\n",
                stderr);
     return 2;

@@ -360,7 +360,7 @@ std::string tree_fault(const SyntaxTree& tree, std::string_view text) {
         if (fault.empty())
             fault = first_fault(
                 [&] { return element_fault(unit, slot.offset == 0); },
-                [&] { return NodeChecker(unit).check(); }, [&] { return stored_nodes_fault(unit); },
+                [&] { return stored_nodes_fault(unit); }, [&] { return NodeChecker(unit).check(); },
                 [&] { return diagnostics_fault(unit.diagnostics(), unit.text().size()); });
     }
     return fault.empty() ? diagnostics_fault(tree.diagnostics(), text.size()) : fault;

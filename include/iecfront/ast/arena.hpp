@@ -61,7 +61,10 @@ public:
     [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
     [[nodiscard]] std::size_t used() const noexcept { return used_; }
     /// What was given out.
-    [[nodiscard]] std::span<std::byte> bytes() const noexcept { return {block_.get(), used_}; }
+    [[nodiscard]] std::span<std::byte> bytes() noexcept { return {block_.get(), used_}; }
+    [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
+        return {block_.get(), used_};
+    }
     /// Takes back what was given out behind the first `used` bytes.
     void rewind(std::size_t used) noexcept { used_ = used; }
 

@@ -33,11 +33,10 @@ public:
         std::shared_ptr<const std::string> buffer; ///< owns `text`
         std::string_view text;                     ///< the unit's part of the file
         Encoding encoding = Encoding::utf8;        ///< of `text`
-        Arena arena;                               ///< owns tokens, trivia and nodes
+        Arena arena;                               ///< owns tokens, trivia and, behind them, nodes
         std::span<const Token> tokens;             ///< what `Unit::tokens` gives
         std::span<const Trivia> trivia;            ///< what `Unit::trivia` gives
-        const ast::LibraryUnit* root = nullptr;    ///< not null in a unit
-        std::span<std::byte> node_memory;          ///< all nodes and rows of children
+        const ast::LibraryUnit* root = nullptr;    ///< not null in a unit, the first of its nodes
         std::vector<Diagnostic> diagnostics;       ///< ordered by position
         bool depends_on_rest = false;              ///< what `Unit::depends_on_rest` gives
     };
@@ -63,8 +62,9 @@ public:
     /// The syntax tree of the unit. It is there whatever the text.
     [[nodiscard]] const ast::LibraryUnit& root() const noexcept { return *parts_.root; }
     /// All nodes of the tree, the root among them, in no order to rely on: see `ast::walk` for
-    /// source order. When somebody asks for them for the first time, whatever the thread, a unit
-    /// with diagnostics is walked through, as nodes may have been made in it that nobody needs.
+    /// source order. A unit with diagnostics is walked through when somebody asks for the first
+    /// time, whatever the thread, as nodes may have been made in it that nobody needs; other
+    /// threads that ask wait for this one.
     [[nodiscard]] ast::StoredNodes nodes() const;
     /// What was found in this unit, ordered by position; ranges count from the start of the unit.
     [[nodiscard]] std::span<const Diagnostic> diagnostics() const noexcept {
@@ -102,12 +102,14 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const noexcept;
 
 private:
-    void look_through_nodes() const;
+    /// Whether what is stored was compared with the tree.
+    enum class NodeState : std::uint8_t { unknown, looked_at, known };
+    void look_at_nodes() const;
 
-    Parts parts_;
+    mutable Parts parts_; // what the tree does not need of the nodes is overwritten
     std::uint32_t line_end_count_;
+    mutable std::atomic<NodeState> node_state_ = NodeState::unknown;
     mutable std::atomic<const LineTable*> lines_ = nullptr; // owned
-    mutable std::atomic<bool> nodes_looked_through_ = false;
 };
 
 /// True when both have the same text, tokens, trivia, nodes and diagnostics.
