@@ -86,11 +86,15 @@ TEST(StoredNodes, HaveNoneThatRecoveryGaveUp) {
     EXPECT_EQ(count(first_unit(tree), ast::NodeKind::elementary_type_name), 0); // INT
 }
 
-// `2` is passed over when the unit is read for the second time.
+// The comma explains all that is wrong, so that the unit is read again without it.
 TEST(StoredNodes, AreThoseOfTheRepairedText) {
-    const std::string text = "PROGRAM p\nt(IN := a, 2 PT := T#1s);\nEND_PROGRAM\n";
+    const std::string text = "PROGRAM p\nWHILE , a DO b := 1; END_WHILE;\nEND_PROGRAM\n";
     const SyntaxTree tree = parse(SourceText(text));
     EXPECT_EQ(tree_fault(tree, text), "");
+    EXPECT_EQ(tree.diagnostics().size(), 1U);
+    EXPECT_EQ(count(first_unit(tree), ast::NodeKind::while_statement), 1);
+    EXPECT_EQ(count(first_unit(tree), ast::NodeKind::variable_name), 2);
+    EXPECT_EQ(count(first_unit(tree), ast::NodeKind::error_expression), 0);
 }
 
 TEST(StoredNodes, AreOneOfAUnitThatIsNotExamined) {
