@@ -223,7 +223,10 @@ Parser::Children<ast::VariableDeclarations> Parser::parse_declaration_blocks(Pla
 // function_body = instruction_list | statement_list ;
 // function_block_body = sequential_function_chart | instruction_list | statement_list ;
 const ast::Body* Parser::parse_body() {
-    if (at(unit_ends) || at(open_.back().closer) || at_misspelt_closer())
+    const TokenKind closer = open_.back().closer;
+    if (at(unit_ends) || at(closer))
+        return parse_empty_body();
+    if (at_misspelt_closer() && unclosed(closer) > 0) // else it is an instruction without operand
         return parse_empty_body();
     if (at_presumable_statements())
         return parse_presumed_statements();
