@@ -181,8 +181,12 @@ Parser::Report& Parser::Report::remove(TextRange range) {
 }
 
 Parser::Report& Parser::Report::also_remove(TextRange range) {
-    if (index_)
-        parser_.diagnostics_[*index_].fixes.back().edits.push_back({parser_.with_blank(range), {}});
+    if (!index_)
+        return *this;
+    std::vector<TextEdit>& edits = parser_.diagnostics_[*index_].fixes.back().edits;
+    range = parser_.with_blank(range);
+    range.begin = std::max(range.begin, edits.back().range.end); // the blank may be taken already
+    edits.push_back({range, {}});
     return *this;
 }
 
