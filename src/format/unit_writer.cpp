@@ -71,13 +71,16 @@ void append_lines(std::string& out, const Piece& piece, std::uint32_t column,
            diagnostic.id == DiagnosticId::unit_too_large;
 }
 
+[[nodiscard]] bool same_tokens(const Unit& one, const Unit& other) {
+    return std::ranges::equal(one.tokens(), other.tokens(), {}, &Token::kind, &Token::kind);
+}
+
 // The same tokens, no more findings, and the same nodes when there are no lines to keep.
 [[nodiscard]] bool reads_as(const Unit& unit, const SyntaxTree& tree) {
     if (tree.slots().size() != 1)
         return false;
     const Unit& other = *tree.slots().front().unit;
-    return std::ranges::equal(unit.tokens(), other.tokens(), {}, &Token::kind, &Token::kind) &&
-           other.diagnostics().size() <= unit.diagnostics().size() &&
+    return same_tokens(unit, other) && other.diagnostics().size() <= unit.diagnostics().size() &&
            (!broken_lines(unit).empty() || ast::equal(unit.root(), other.root()));
 }
 
@@ -110,15 +113,18 @@ bool UnitWriter::append(const Unit& unit, TextRule* rule) {
 std::optional<std::string> UnitWriter::finish() && {
     if (!complete_)
         out_ += line_end_;
-    if (doubtful_ && !has_no_more_findings(out_))
+    if (doubtful_ && !all_is_read_alike(out_))
         return std::nullopt;
     return std::move(out_);
 }
 
 // Where a unit begins and ends is guessed as well when something is wrong.
-bool UnitWriter::has_no_more_findings(const std::string& text) const {
+bool UnitWriter::all_is_read_alike(const std::string& text) const {
     const SyntaxTree tree = parse(SourceText(text, {}, tree_.encoding()), tree_.options());
-    return tree.slots().size() == tree_.slots().size() &&
+    const auto same = [](const SyntaxTree::Slot& one, const SyntaxTree::Slot& other) {
+        return same_tokens(*one.unit, *other.unit);
+    };
+    return std::ranges::equal(tree.slots(), tree_.slots(), same) &&
            tree.diagnostics().size() <= tree_.diagnostics().size();
 }
 

@@ -29,7 +29,7 @@ private:
     void lay_out(std::string& out, const Unit& unit, TextRule* rule) const;
     [[nodiscard]] bool is_read_alike(const Unit& unit, std::string_view written,
                                      bool formatted) const;
-    [[nodiscard]] bool has_no_more_findings(const std::string& text) const;
+    [[nodiscard]] bool all_is_read_alike(const std::string& text) const;
 
     const SyntaxTree& tree_;
     FormatOptions options_;
