@@ -125,7 +125,9 @@ public:
     [[nodiscard]] BodyLanguage language();
 
 private:
+    [[nodiscard]] std::uint32_t furthest() const noexcept;
     void survey();
+    [[nodiscard]] bool count_at(std::uint32_t& i);
     [[nodiscard]] std::uint32_t next_telling(std::uint32_t index) noexcept;
     [[nodiscard]] std::uint32_t next_beside_statement(std::uint32_t index) noexcept;
     [[nodiscard]] bool tells_by_line(std::uint32_t index) const noexcept {
@@ -247,22 +249,38 @@ std::uint32_t Parser::BodySurvey::next_beside_statement(std::uint32_t index) noe
     return index;
 }
 
+/// How far it looks. Where bodies have no ends, each survey could go on to the end of the unit: all
+/// of them together look at each token so many times, and then at what is nearest.
+std::uint32_t Parser::BodySurvey::furthest() const noexcept {
+    constexpr std::uint64_t times = 20;
+    constexpr std::uint32_t nearest = 100;
+    return parser_.surveyed_ < times * parser_.count_ ? parser_.count_ : begin_ + nearest;
+}
+
 void Parser::BodySurvey::survey() {
-    for (std::uint32_t i = begin_;; i = next_telling(i)) {
-        const bool begins_line = i == begin_ || parser_.tokens_[i].first_on_line();
-        if (unit_ends.contains(kind(i)) || kind(i) == closer_ || is_decided())
-            return;
-        if (chart_closers.contains(kind(i)) || parser_.begins_chart_element(i)) {
-            if (closer_ == TokenKind::kw_end_action && !begins_chart_ &&
-                parser_.unclosed(closer_) > 0)
-                return; // it may be this one that is not closed
-            count_chart_word(i);
-            continue;
-        }
-        if (begins_line && kind(i) != TokenKind::right_parenthesis)
-            begin_line(i);
-        count_token(i);
+    const std::uint32_t last = furthest();
+    std::uint32_t i = begin_;
+    while (i < last && count_at(i))
+        i = next_telling(i);
+    parser_.surveyed_ += i - begin_;
+}
+
+/// Counts what begins at `i`, and of a chart element goes to its end. False where the body ends, or
+/// is known.
+bool Parser::BodySurvey::count_at(std::uint32_t& i) {
+    if (unit_ends.contains(kind(i)) || kind(i) == closer_ || is_decided())
+        return false;
+    if (chart_closers.contains(kind(i)) || parser_.begins_chart_element(i)) {
+        if (closer_ == TokenKind::kw_end_action && !begins_chart_ && parser_.unclosed(closer_) > 0)
+            return false; // it may be this one that is not closed
+        count_chart_word(i);
+        return true;
     }
+    const bool begins_line = i == begin_ || parser_.tokens_[i].first_on_line();
+    if (begins_line && kind(i) != TokenKind::right_parenthesis)
+        begin_line(i);
+    count_token(i);
+    return true;
 }
 
 BodyLanguage Parser::BodySurvey::language() {

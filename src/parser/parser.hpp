@@ -678,10 +678,11 @@ private:
     const ast::SfcNetwork* parse_sfc_network();
     [[nodiscard]] bool at_end_of_chart();
     const ast::Node* parse_chart_element(TokenKind opener);
-    [[nodiscard]] TokenKind chart_element_opener() const noexcept;
+    [[nodiscard]] TokenKind chart_element_opener() noexcept;
     [[nodiscard]] bool at_chart_word() const noexcept;
     [[nodiscard]] TokenKind misspelt_chart_word() const noexcept;
-    [[nodiscard]] TokenKind missing_chart_word() const noexcept;
+    [[nodiscard]] TokenKind missing_chart_word() noexcept;
+    [[nodiscard]] std::uint32_t next_chart_word() noexcept;
     void open_chart_element(TokenKind opener);
     [[nodiscard]] bool at_end_of_chart_element();
     [[nodiscard]] bool at_chart_structure();
@@ -1143,6 +1144,9 @@ private:
     std::uint32_t else_if_chain_end_ = 0; // last chain that was looked at, see at_else_if_for_elsif
     std::uint32_t else_if_block_ = 0;
     bool else_if_means_elsif_ = false;
+    std::uint32_t chart_word_sought_from_ = no_token; // see next_chart_word()
+    std::uint32_t chart_word_ = 0;
+    std::uint64_t surveyed_ = 0; // tokens, by all surveys of bodies
 };
 
 } // namespace iecfront

@@ -105,7 +105,7 @@ const ast::Node* Parser::parse_chart_element(TokenKind opener) {
 
 /// What opens the element at the cursor, also when it is misspelt or missing; end_of_unit when
 /// there is no element.
-TokenKind Parser::chart_element_opener() const noexcept {
+TokenKind Parser::chart_element_opener() noexcept {
     if (at(chart_openers))
         return at_chart_word() ? kind() : TokenKind::end_of_unit;
     const TokenKind misspelt = misspelt_chart_word();
@@ -144,16 +144,25 @@ TokenKind Parser::misspelt_chart_word() const noexcept {
 
 /// At `name :` or at FROM: the opening word that is missing before it, as the next closing word
 /// tells.
-TokenKind Parser::missing_chart_word() const noexcept {
+TokenKind Parser::missing_chart_word() noexcept {
     if (begins_from(at_) || (at(TokenKind::identifier) && begins_from(next(at_))))
         return TokenKind::kw_transition;
     if (!at(TokenKind::identifier) || peek() != TokenKind::colon)
         return TokenKind::end_of_unit;
-    std::uint32_t i = at_;
-    while (!chart_closers.contains(tokens_[i].kind()) &&
-           !chart_openers.contains(tokens_[i].kind()) && !unit_ends.contains(tokens_[i].kind()))
-        i = next(i);
-    return opener_of(tokens_[i].kind());
+    return opener_of(tokens_[next_chart_word()].kind());
+}
+
+/// Where the next word stands that opens or closes an element, or ends the unit. However often it
+/// is asked for, no token is looked at twice on the way forwards.
+std::uint32_t Parser::next_chart_word() noexcept {
+    static constexpr TokenSet words = chart_openers | chart_closers | unit_ends;
+    if (at_ < chart_word_sought_from_ || at_ > chart_word_) {
+        chart_word_sought_from_ = at_;
+        chart_word_ = at_;
+        while (!words.contains(tokens_[chart_word_].kind()))
+            chart_word_ = next(chart_word_);
+    }
+    return chart_word_;
 }
 
 /// Takes the word that opens an element, or reports that it is misspelt or missing.

@@ -102,6 +102,9 @@ constexpr std::array table = {
     Shape{"open_il_calls", "PROGRAM p\n", "CAL a(\nb := "},
     Shape{"open_actions", "PROGRAM p\nINITIAL_STEP s: END_STEP\n", "ACTION a:\n"},
     Shape{"open_steps", "PROGRAM p\n", "STEP a:\n"},
+    Shape{"actions_without_names", "PROGRAM p\nINITIAL_STEP s: END_STEP\n", "ACTION\nEND_IF\n"},
+    Shape{"loops_closed_in_a_chart", "PROGRAM p\nINITIAL_STEP s: END_STEP\n",
+          "a: b; VAR END_WHILE "},
     Shape{"open_transitions", "PROGRAM p\nINITIAL_STEP s: END_STEP\n",
           "TRANSITION FROM a TO b :=\n"},
 
