@@ -147,8 +147,8 @@ void UnitWriter::lay_out(std::string& out, const Unit& unit, TextRule* rule) con
         else
             out.append(piece.spaces, ' ');
         if (piece.several_lines && !piece.verbatim) {
-            const std::string_view written = std::string_view(out).substr(begin);
-            append_lines(out, piece, width_of_last_line(written, unit.encoding()), line_end_);
+            const std::string_view line = last_line(std::string_view(out).substr(begin));
+            append_lines(out, piece, width_of_last_line(line, unit.encoding()), line_end_);
         } else {
             append_piece(out, piece, options_.keyword_case);
         }

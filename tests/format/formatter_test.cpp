@@ -112,6 +112,7 @@ TEST(Formatter, TakesTimeInProportionToTheText) {
          {program("x := " + repeated("a + (b) * ", many) + "c;"),
           program(repeated("f(a, (* c *) b); (* d *) ", many)),
           program("f(" + repeated("(* a *) ", many) + "b);"),
+          program(repeated("(* a\n a *)\n", many) + ";"),
           program(repeated("\n(* a *)", many) + repeated(" (* b *)", many) + " ;"),
           program(repeated("x := 1 2; ", many)),
           program("x := 'a" + repeated("\xC3\x84", many) + "';"),
