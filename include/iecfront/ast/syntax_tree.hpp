@@ -41,13 +41,13 @@ struct ParseOptions {
     /// (`too-many-diagnostics`; Annex D, 1.5.1).
     std::uint32_t maximum_diagnostics = 100'000;
     /// How many bytes a text can have. A larger one is kept but not examined, and reported
-    /// (`source-too-large`; Annex D, 2.5.3). Bounds the time and the memory that parsing needs:
-    /// both grow linearly with the size.
+    /// (`source-too-large`; Annex D, 2.5.3). Bounds the time that parsing needs, and the
+    /// memory: some 4 bytes for each byte of source, and up to some 400 where each is a fault.
     std::uint32_t maximum_source_size = 1U << 28U;
 
     /// How many bytes the tokens, comments and nodes of a unit can take. A larger unit is kept but
     /// not examined, and reported (`unit-too-large`; Annex D, 2.5.1). Bounds what the tree of
-    /// a unit takes, whatever stands in the text.
+    /// a unit takes, whatever stands in the text; findings are not counted.
     std::uint32_t maximum_unit_memory = 1U << 31U;
 
     friend bool operator==(const ParseOptions&, const ParseOptions&) = default;
