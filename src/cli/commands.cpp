@@ -141,12 +141,13 @@ void set_keyword_case(Options& options, std::string_view value) {
 }
 
 void set_indent(Options& options, std::string_view value) {
-    options.layout.indent_width = static_cast<std::uint32_t>(number<0, 16>("--indent", value));
+    options.layout.indent_width =
+        static_cast<std::uint32_t>(number<0, FormatOptions::widest_indent>("--indent", value));
 }
 
 void set_line_length(Options& options, std::string_view value) {
     options.layout.line_length =
-        static_cast<std::uint32_t>(number<20, 10'000>("--line-length", value));
+        static_cast<std::uint32_t>(number<20, FormatOptions::longest_line>("--line-length", value));
 }
 
 void set_list(Options& options, std::string_view) {

@@ -166,35 +166,42 @@ void align_all_rows(std::span<const Line> lines, std::uint32_t line_length) {
 // ---- comments behind ---------------------------------------------------------------------------
 
 // Where the comments behind all of these lines stand: where the user has put them all, if there is
-// room, and else behind the longest line.
-[[nodiscard]] std::uint32_t column_of_comments(std::span<const Line> lines) {
+// room, and else behind the longest line that is not too long.
+[[nodiscard]] std::uint32_t column_of_comments(std::span<const Line> lines,
+                                               std::uint32_t line_length) {
     std::uint32_t end = 0;
-    for (const Line line : lines)
+    std::uint32_t end_of_short = 0;
+    for (const Line line : lines) {
         end = std::max(end, end_of_code(line));
+        if (end_of_code(line) <= line_length)
+            end_of_short = std::max(end_of_short, end_of_code(line));
+    }
     const std::uint32_t column = comment_behind(lines.front())->source_column;
     const bool same = std::ranges::all_of(
         lines, [&](Line line) { return comment_behind(line)->source_column == column; });
-    return same && column != Piece::no_column && column > end ? column
-                                                              : end + blanks_before_comment;
+    return same && column != Piece::no_column && column > end
+               ? column
+               : end_of_short + blanks_before_comment;
 }
 
-void align_comments(std::span<const Line> lines) {
+void align_comments(std::span<const Line> lines, std::uint32_t line_length) {
     if (lines.empty())
         return;
-    const std::uint32_t column = column_of_comments(lines);
+    const std::uint32_t column = column_of_comments(lines, line_length);
     for (const Line line : lines) {
         Piece& comment = line[static_cast<std::size_t>(comment_behind(line) - line.data())];
-        comment.spaces = column - end_of_code(line);
+        const std::uint32_t end = end_of_code(line);
+        comment.spaces = column > end ? column - end : blanks_before_comment;
     }
 }
 
-void align_all_comments(std::span<const Line> lines) {
+void align_all_comments(std::span<const Line> lines, std::uint32_t line_length) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= lines.size(); ++i) {
         const Piece* comment = i < lines.size() ? comment_behind(lines[i]) : nullptr;
         if (comment != nullptr && !comment->verbatim && !lines[i].front().blank_line)
             continue;
-        align_comments(lines.subspan(begin, i - begin));
+        align_comments(lines.subspan(begin, i - begin), line_length);
         begin = comment != nullptr && !comment->verbatim ? i : i + 1;
     }
 }
@@ -204,7 +211,7 @@ void align_all_comments(std::span<const Line> lines) {
 void align(std::span<Piece> pieces, std::uint32_t line_length) {
     const std::vector<Line> lines = lines_of(pieces);
     align_all_rows(lines, line_length);
-    align_all_comments(lines);
+    align_all_comments(lines, line_length);
 }
 
 } // namespace iecfront::layout

@@ -20,11 +20,6 @@ namespace {
     }
 }
 
-// Of a comment that has its place.
-[[nodiscard]] std::uint32_t indent_of_last_line(const Piece& piece) noexcept {
-    return moved_indent(piece, last_line(piece.text), piece.column).width();
-}
-
 /// What is open where a line is broken: parentheses, or the statement as a whole.
 struct Level {
     std::uint32_t list = 0;       ///< the column of lines that begin with an element of the list
@@ -48,6 +43,7 @@ private:
     [[nodiscard]] bool breaks_before(const Piece& piece, std::uint32_t chunk) const;
     [[nodiscard]] std::uint32_t spaces_before(const Piece& piece) const;
     [[nodiscard]] std::uint32_t column_of_line(const Piece& piece, const Piece* before);
+    [[nodiscard]] std::uint32_t indent_of_last_line(const Piece& piece) const noexcept;
     void place_verbatim(Piece& piece);
     void open_and_close(const Piece& piece);
 
@@ -140,7 +136,9 @@ void LineBreaker::place(Piece& piece, const Piece* before, std::uint32_t chunk) 
     if (piece.verbatim) {
         place_verbatim(piece);
     } else {
-        piece.spaces = piece.begins_line ? column_of_line(piece, before) : spaces_before(piece);
+        // Not far to the right, however long the line above: there can be many of them.
+        piece.spaces = piece.begins_line ? std::min(column_of_line(piece, before), line_length_)
+                                         : spaces_before(piece);
         piece.column = (piece.begins_line ? 0 : column_) + piece.spaces;
     }
     if (piece.begins_line)
@@ -166,7 +164,8 @@ std::uint32_t LineBreaker::spaces_before(const Piece& piece) const {
     if (piece.behind && !piece.pragma)
         return blanks_before_comment;
     const std::uint32_t least = piece.space ? 1 : 0;
-    const auto stop = static_cast<std::uint32_t>(piece.level + piece.stop);
+    const auto level = std::min(static_cast<std::uint32_t>(piece.level), line_length_);
+    const auto stop = level + static_cast<std::uint32_t>(piece.stop);
     return piece.stop >= 0 && stop > column_ + least ? stop - column_ : least;
 }
 
@@ -182,6 +181,11 @@ std::uint32_t LineBreaker::column_of_line(const Piece& piece, const Piece* befor
     }
     const bool in_list = piece.is_comment() || expression_begins_ || piece.rank == 0;
     return in_list ? level.list : level.expression;
+}
+
+// Of a comment that has its place.
+std::uint32_t LineBreaker::indent_of_last_line(const Piece& piece) const noexcept {
+    return moved_indent(piece, last_line(piece.text), piece.column, line_length_).width();
 }
 
 void LineBreaker::place_verbatim(Piece& piece) {

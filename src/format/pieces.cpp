@@ -41,11 +41,6 @@ struct Extent {
     return extent;
 }
 
-// What stands in the source before a piece of several lines, in its line.
-[[nodiscard]] std::string_view line_before(const Piece& piece) noexcept {
-    return {piece.gap.data() + piece.gap.size() - piece.bytes_before, piece.bytes_before};
-}
-
 /// Counts the columns of the source on the way from its beginning to its end.
 class ColumnCounter {
 public:
@@ -244,8 +239,10 @@ void Arranger::remember_place(Piece& piece, std::uint32_t begin) const {
     const std::size_t line_end = unit_.text({0, begin}).find_last_of("\r\n");
     const std::size_t line_begin =
         line_end == std::string_view::npos ? leading_mark_size(unit_) : line_end + 1;
-    piece.bytes_before = begin - static_cast<std::uint32_t>(line_begin);
-    piece.first_column = width_of_last_line(line_before(piece), unit_.encoding());
+    piece.line_before = unit_.text({static_cast<std::uint32_t>(line_begin), begin});
+    piece.first_column = width_of_last_line(piece.line_before, unit_.encoding());
+    piece.tab_before = piece.line_before.find('\t') != std::string_view::npos;
+    piece.blanks_before = indent_of(piece.line_before).size() == piece.line_before.size();
 }
 
 // `piece` is token `token`, or a comment before it, with `line_ends` before it in the source.
@@ -338,21 +335,22 @@ std::string_view indent_of(std::string_view line) noexcept {
     return line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
 }
 
-MovedIndent moved_indent(const Piece& comment, std::string_view line,
-                         std::uint32_t column) noexcept {
-    const std::string_view before = line_before(comment);
+MovedIndent moved_indent(const Piece& comment, std::string_view line, std::uint32_t column,
+                         std::uint32_t furthest) noexcept {
+    const std::uint32_t from = std::min(comment.first_column, furthest);
+    const std::uint32_t to = std::min(column, furthest);
     const std::string_view indent = indent_of(line);
     const bool empty = indent.size() == line.size();
     if (empty || comment.verbatim || comment.pragma)
         return {0, indent};
-    if (indent_of(before) == before && indent.starts_with(before))
-        return {column, indent.substr(before.size())};
-    if (before.find('\t') != std::string_view::npos) // nobody knows how wide it is
+    if (comment.blanks_before && indent.starts_with(comment.line_before))
+        return {to, indent.substr(comment.line_before.size())};
+    if (comment.tab_before) // nobody knows how wide it is
         return {0, indent};
-    if (column >= comment.first_column)
-        return {column - comment.first_column, indent};
+    if (to >= from)
+        return {to - from, indent};
     const std::size_t blanks = std::min(indent.find_first_not_of(' '), indent.size());
-    return {0, indent.substr(std::min<std::size_t>(blanks, comment.first_column - column))};
+    return {0, indent.substr(std::min<std::size_t>(blanks, from - to))};
 }
 
 std::uint32_t width_of_last_line(std::string_view text, Encoding encoding) noexcept {

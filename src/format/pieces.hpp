@@ -30,8 +30,11 @@ struct Piece {
     /// In columns. Of a piece of several lines that of the last one, without the white space before
     /// it until `break_lines` has found a place for it.
     std::uint32_t width = 0;
-    std::uint32_t first_column = 0; ///< of a piece of several lines, in the source
-    std::uint32_t bytes_before = 0; ///< and the bytes before it in its line there
+    std::string_view
+        line_before; ///< of a piece of several lines, what stands before it in its line
+    std::uint32_t first_column = 0; ///< and its column there
+    bool tab_before = false;        ///< a tab stands in `line_before`
+    bool blanks_before = false;     ///< nothing but white space does
     std::int32_t level = 0;         ///< the column of a line that begins with it
     std::uint32_t brackets = 0;     ///< that are open before it, in what is one line without breaks
     std::uint32_t source_column = no_column; ///< of a comment behind something
@@ -77,9 +80,10 @@ struct MovedIndent {
 };
 
 /// The further lines of a comment move with its first one, which comes to stand in `column`, as far
-/// as there is white space before them. `line` is one of them, without its line end.
+/// as there is white space before them. `line` is one of them, without its line end. What the first
+/// one moves beyond the column `furthest` does not count: there can be many further ones.
 [[nodiscard]] MovedIndent moved_indent(const Piece& comment, std::string_view line,
-                                       std::uint32_t column) noexcept;
+                                       std::uint32_t column, std::uint32_t furthest) noexcept;
 
 /// What stands behind the last line end of `text`.
 [[nodiscard]] std::string_view last_line(std::string_view text) noexcept;

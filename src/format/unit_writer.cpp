@@ -36,15 +36,16 @@ void append_piece(std::string& out, const Piece& piece, KeywordCase keyword_case
         out += piece.text;
 }
 
-// A comment or pragma of several lines; the first one begins in `column`.
+// A comment or pragma of several lines; the first one begins in `column`, and `furthest` is what
+// `moved_indent` calls so.
 void append_lines(std::string& out, const Piece& piece, std::uint32_t column,
-                  std::string_view line_end) {
+                  std::uint32_t furthest, std::string_view line_end) {
     std::string_view rest = piece.text;
     for (bool first = true; !rest.empty(); first = false) {
         const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
         std::string_view line = rest.substr(0, end);
         if (!first) {
-            const MovedIndent indent = moved_indent(piece, line, column);
+            const MovedIndent indent = moved_indent(piece, line, column, furthest);
             out.append(indent.blanks, ' ');
             out += indent.rest;
             line.remove_prefix(indent_of(line).size());
@@ -84,10 +85,16 @@ void append_lines(std::string& out, const Piece& piece, std::uint32_t column,
            (!broken_lines(unit).empty() || ast::equal(unit.root(), other.root()));
 }
 
+[[nodiscard]] FormatOptions bounded(FormatOptions options) {
+    options.indent_width = std::min(options.indent_width, FormatOptions::widest_indent);
+    options.line_length = std::min(options.line_length, FormatOptions::longest_line);
+    return options;
+}
+
 } // namespace
 
 UnitWriter::UnitWriter(const SyntaxTree& tree, const FormatOptions& options)
-    : tree_(tree), options_(options), line_end_(line_end_of(tree)) {
+    : tree_(tree), options_(bounded(options)), line_end_(line_end_of(tree)) {
     out_.reserve(tree.size() + tree.size() / 8);
 }
 
@@ -148,7 +155,8 @@ void UnitWriter::lay_out(std::string& out, const Unit& unit, TextRule* rule) con
             out.append(piece.spaces, ' ');
         if (piece.several_lines && !piece.verbatim) {
             const std::string_view line = last_line(std::string_view(out).substr(begin));
-            append_lines(out, piece, width_of_last_line(line, unit.encoding()), line_end_);
+            const std::uint32_t column = width_of_last_line(line, unit.encoding());
+            append_lines(out, piece, column, options_.line_length, line_end_);
         } else {
             append_piece(out, piece, options_.keyword_case);
         }

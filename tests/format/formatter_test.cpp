@@ -120,5 +120,59 @@ TEST(Formatter, TakesTimeInProportionToTheText) {
         EXPECT_GT(formatted(text).size(), text.size() / 2);
 }
 
+// What stands behind, or is continued below, very long lines: were it moved as far to the right,
+// the results had some hundreds of megabytes.
+TEST(Formatter, GivesTextInProportionToTheText) {
+    constexpr std::size_t many = 10'000;
+    const std::string name(many, 'a');
+    const std::string selection = "a" + repeated(".b", many);
+    const auto program = [](const std::string& body) {
+        return "PROGRAM p\n" + body + "\nEND_PROGRAM\n";
+    };
+    for (const std::string& text :
+         {program("x := '" + name + "'; (* c *)\n" + repeated("y := 1; (* c *)\n", many)),
+          program(selection + " := 1" + repeated("\n+ 1", many) + ";"),
+          program("x := " + selection + "[1" + repeated(",\n1", many) + "];"),
+          program(name + "(a := 1" + repeated(",\nb := 1", many) + ");"),
+          program(name + "((* c" + repeated("\n d", many) + " *) a := 1);"),
+          program("x := '" + name + "'; (* c" + repeated("\n d", many) + " *)"),
+          program("a" + repeated("\n.\nb", many) + " := 1; (* c" + repeated("\n d", many) + " *)"),
+          program(repeated("IF a THEN ", 200) + repeated(";", many) + repeated("END_IF; ", 200)),
+          program(std::string(many, ' ') + "(* c" + repeated("\n d", many) + " *) ;"),
+          repeated("f(a := 1) .\n", many),
+          "TYPE t : " + repeated("THNE (* c\n d *)", many) + ". // c\nEND_PROGRAM ",
+          "TYPE t : STRUCT\n" + name + " : INT;\n" + repeated("b : INT; // c\n", many) +
+              "END_STRUCT; END_TYPE"}) {
+        const std::string result = formatted(text);
+        EXPECT_LT(result.size(), 100 * text.size()) << text.substr(0, 50);
+        EXPECT_TRUE(formatted(result) == result) << text.substr(0, 50);
+    }
+}
+
+TEST(Formatter, MovesNothingBeyondTheLineLength) {
+    FormatOptions options;
+    options.line_length = 30;
+    const std::string text = "PROGRAM p\n"
+                             "    x := 'a rather long string, this'; (* a *)\n"
+                             "    y := 1; (* b *)\n"
+                             "    x_with_a_name_of_more_columns := 1\n"
+                             "    + 1;\n"
+                             "END_PROGRAM\n";
+    EXPECT_EQ(formatted(text, options), "PROGRAM p\n"
+                                        "    x := 'a rather long string, this';  (* a *)\n"
+                                        "    y := 1;  (* b *)\n"
+                                        "    x_with_a_name_of_more_columns := 1\n"
+                                        "                              + 1;\n"
+                                        "END_PROGRAM\n");
+}
+
+TEST(Formatter, TakesTheLargestOptionsForLargerOnes) {
+    FormatOptions options;
+    options.indent_width = 0xFFFF'FFFF;
+    options.line_length = 0xFFFF'FFFF;
+    const std::string text = "TYPE a : INT; END_TYPE";
+    EXPECT_EQ(formatted(text, options), "TYPE\n                a : INT;\nEND_TYPE\n");
+}
+
 } // namespace
 } // namespace iecfront

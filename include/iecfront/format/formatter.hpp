@@ -18,10 +18,16 @@ enum class KeywordCase : std::uint8_t {
 
 /// What can be set about the layout.
 struct FormatOptions {
+    static constexpr std::uint32_t widest_indent = 16;    ///< largest `indent_width`
+    static constexpr std::uint32_t longest_line = 10'000; ///< largest `line_length`
+
     KeywordCase keyword_case = KeywordCase::upper;
-    std::uint32_t indent_width = 4; ///< columns a level
-    /// Columns that a line has room for. What has no place to be broken at goes beyond it, and
-    /// comments are never broken.
+    /// Columns a level; above `widest_indent` it counts as that.
+    std::uint32_t indent_width = 4;
+    /// Columns that a line has room for; above `longest_line` it counts as that. What has no place
+    /// to be broken at goes beyond it, and comments are never broken. Nothing is moved to the right
+    /// beyond it, neither the beginning of a line nor what is aligned with the lines around: so
+    /// the length of the result is bounded by that of the text times this.
     std::uint32_t line_length = 100;
 };
 
