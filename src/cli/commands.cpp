@@ -209,6 +209,12 @@ constexpr OptionRow encoding_row = {
 constexpr OptionRow nesting_row = {
     "--max-nesting", "N", "examine what is nested up to N levels deep (1 to 1000, default 256)",
     set_nesting};
+constexpr OptionRow source_size_row = {
+    "--max-source-size", "N", "do not examine files of more than N bytes (default 268435456)",
+    set_source_size};
+constexpr OptionRow unit_memory_row = {
+    "--max-unit-memory", "N",
+    "do not examine what takes more than N bytes of memory (default 2147483648)", set_unit_memory};
 constexpr OptionRow jobs_row = {"--jobs", "N", "read N files at a time (default: one a processor)",
                                 set_jobs};
 constexpr OptionRow text_or_json_row = {"--format", "text|json", "how to print (default: text)",
@@ -231,22 +237,22 @@ constexpr std::array check_options = {
     nesting_row,
     OptionRow{"--max-identifier-length", "N",
               "report identifiers of more than N bytes (default 4096)", set_identifier_length},
-    OptionRow{"--max-source-size", "N",
-              "do not examine files of more than N bytes (default 268435456)", set_source_size},
-    OptionRow{"--max-unit-memory", "N",
-              "do not examine what takes more than N bytes of memory (default 2147483648)",
-              set_unit_memory},
+    source_size_row,
+    unit_memory_row,
     OptionRow{"--max-diagnostics", "N", "stop after N findings in a file (default 100000)",
               set_diagnostics},
     jobs_row,
     OptionRow{"--color", "WHEN", "auto (default), always or never; NO_COLOR is honoured",
               set_colour},
 };
-constexpr std::array tokens_options = {text_or_json_row, encoding_row};
+constexpr std::array tokens_options = {text_or_json_row, encoding_row, source_size_row,
+                                       unit_memory_row};
 constexpr std::array ast_options = {
     OptionRow{"--format", "tree|json", "how to print (default: tree)", set_tree_or_json},
     encoding_row,
     nesting_row,
+    source_size_row,
+    unit_memory_row,
 };
 constexpr std::array format_options = {
     OptionRow{"--check", "", "print the names of the files that would change, and nothing else",
@@ -259,6 +265,8 @@ constexpr std::array format_options = {
               set_line_length},
     encoding_row,
     nesting_row,
+    source_size_row,
+    unit_memory_row,
     jobs_row,
 };
 constexpr std::array explain_options = {

@@ -14,6 +14,9 @@ namespace {
 
 // Response files can name others; more than this many inside one another are a circle.
 constexpr int deepest_response_file = 16;
+// Far more than anybody has; those that name others several times soon have more than can be read.
+constexpr int most_response_files = 10'000;
+constexpr std::size_t most_arguments = 10'000'000;
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -40,8 +43,11 @@ public:
     explicit ArgumentReader(std::span<const OptionRow> rows) : rows_(rows) {}
 
     void read(std::span<const std::string> arguments, int depth = 0) {
-        for (const std::string& argument : arguments)
+        for (const std::string& argument : arguments) {
+            if (++arguments_ > most_arguments)
+                throw UsageError("more than " + std::to_string(most_arguments) + " arguments");
             read(argument, depth);
+        }
     }
 
     [[nodiscard]] Options finish() {
@@ -71,6 +77,9 @@ private:
     void read_response_file(const std::string& name, int depth) {
         if (depth > deepest_response_file)
             throw UsageError("response file " + on_one_line(name) + " includes itself");
+        if (++response_files_ > most_response_files)
+            throw UsageError("more than " + std::to_string(most_response_files) +
+                             " response files are read");
         read(lines_of_response_file(name), depth);
     }
 
@@ -107,6 +116,8 @@ private:
     Options options_;
     const OptionRow* pending_ = nullptr; // waits for its value
     bool only_operands_ = false;
+    int response_files_ = 0;
+    std::size_t arguments_ = 0;
 };
 
 } // namespace

@@ -1,13 +1,14 @@
 #include "cli/platform.hpp"
 
 #include <algorithm>
-#include <csignal>
+#include <cerrno>
 #include <system_error>
 
 #ifdef _WIN32
 #include <fcntl.h>
 #include <io.h>
 #else
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -61,13 +62,25 @@ std::FILE* open_new_file(const std::filesystem::path& path) {
 #endif
 }
 
-Uninterrupted::Uninterrupted()
-    : on_interrupt_(std::signal(SIGINT, note_signal)),
-      on_terminate_(std::signal(SIGTERM, note_signal)) {}
+void copy_owner(const std::filesystem::path& like, const std::filesystem::path& file) noexcept {
+#ifdef _WIN32
+    static_cast<void>(like);
+    static_cast<void>(file);
+#else
+    struct stat status = {};
+    if (stat(like.c_str(), &status) == 0 && chown(file.c_str(), status.st_uid, status.st_gid) != 0)
+        errno = 0; // it stays the user's, as if the user had made it
+#endif
+}
+
+Uninterrupted::Uninterrupted() {
+    std::ranges::transform(interruptions, before_.begin(),
+                           [](int signal) { return std::signal(signal, note_signal); });
+}
 
 Uninterrupted::~Uninterrupted() {
-    std::signal(SIGINT, on_interrupt_);
-    std::signal(SIGTERM, on_terminate_);
+    for (std::size_t i = 0; i < interruptions.size(); ++i)
+        std::signal(interruptions[i], before_[i]);
     if (noted_signal != 0)
         std::raise(noted_signal);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -21,8 +23,21 @@ void prepare_standard_streams();
 /// also because it is there.
 [[nodiscard]] std::FILE* open_new_file(const std::filesystem::path& path);
 
-/// While one is there, the program is not interrupted (SIGINT, SIGTERM): that happens at the end of
-/// its life. One at a time.
+/// Gives `file` the owner and the group of `like`, where the system has these and lets it.
+void copy_owner(const std::filesystem::path& like, const std::filesystem::path& file) noexcept;
+
+/// The signals that end a program at the wish of its user.
+inline constexpr std::array interruptions = {
+    SIGINT,
+    SIGTERM,
+#ifndef _WIN32
+    SIGHUP,
+    SIGQUIT,
+#endif
+};
+
+/// While one is there, the program is not interrupted: that happens at the end of its life. One at
+/// a time.
 class Uninterrupted {
 public:
     Uninterrupted();
@@ -32,8 +47,7 @@ public:
 
 private:
     using Handler = void (*)(int);
-    Handler on_interrupt_;
-    Handler on_terminate_;
+    std::array<Handler, interruptions.size()> before_{};
 };
 
 /// The system's words for an error number (`errno`).

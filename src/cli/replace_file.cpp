@@ -51,6 +51,7 @@ public:
             return system_message(error_);
         std::error_code error;
         const fs::perms permissions = fs::status(path, error).permissions();
+        copy_owner(path, path_); // first, because it can take away permissions
         if (!error)
             fs::permissions(path_, permissions, error);
         if (!error)
@@ -79,6 +80,8 @@ std::string replace_file(const fs::path& path, std::string_view bytes) {
     const fs::path target = fs::canonical(path, error);
     if (error)
         return error.message();
+    if (!fs::is_regular_file(target, error)) // a pipe would become a file
+        return "it is not a file that can be replaced";
     const Uninterrupted until_it_is_removed; // or has its name
     NewFile file(target);
     file.write(bytes);

@@ -211,5 +211,55 @@ TEST_F(Robustness, AnInterruptedRewriteLeavesWholeFiles) {
     EXPECT_EQ(outcome.err, "");
 }
 
+TEST_F(Robustness, AHangUpLeavesNothingBesideAFile) {
+    std::string old;
+    for (int i = 0; i < 300; ++i)
+        old += bad_program;
+    for (int i = 0; i < 300; ++i)
+        write("d/" + std::to_string(i) + ".st", old);
+    for (const std::string signal : {"HUP", "QUIT"}) {
+        const Outcome outcome =
+            run_shell("timeout --preserve-status -s " + signal +
+                      " 0.1 \"$IECFRONT\" format --write --indent 3 d > names; ls d | wc -l");
+        EXPECT_EQ(outcome.out, "300\n") << signal;
+    }
+}
+
+// ---- what is no file of its own ----------------------------------------------------------------
+
+TEST_F(Robustness, APipeIsNotReplacedByAFile) {
+    write("x.st", bad_program);
+    const Outcome outcome = run_shell(
+        "mkfifo pipe.st; cat x.st > pipe.st & \"$IECFRONT\" format --write pipe.st; echo $?; "
+        "test -p pipe.st && echo pipe");
+    EXPECT_EQ(outcome.out, "2\npipe\n");
+    EXPECT_NE(outcome.err.find("not a file that can be replaced"), std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(Robustness, ARewrittenFileKeepsItsOwner) {
+    write("x.st", bad_program);
+    // Only who may give a file away can tell.
+    const Outcome outcome =
+        run_shell("chown 12345:12346 x.st 2> chown.txt; stat -c %u:%g x.st > before\n"
+                  "\"$IECFRONT\" format --write x.st; stat -c %u:%g x.st | cmp - before; echo $?");
+    EXPECT_EQ(outcome.out, "x.st\n0\n");
+}
+
+// ---- response files ----------------------------------------------------------------------------
+
+TEST_F(Robustness, ResponseFilesThatNameEachOtherOftenAreRefused) {
+    for (int i = 0; i < 10; ++i) {
+        std::string lines;
+        for (int j = 0; j < 10; ++j)
+            lines += "@level" + std::to_string(i + 1) + "\n";
+        write("level" + std::to_string(i), lines);
+    }
+    write("level10", "");
+    const Outcome outcome = run({"check", "@level0"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("more than 10000 response files"), std::string::npos) << outcome.err;
+}
+
 } // namespace
 } // namespace iecfront::test
