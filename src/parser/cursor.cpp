@@ -136,10 +136,14 @@ bool Parser::expect_missing(TokenKind expected) {
 /// step leads to the end of the unit, while the current token stays what it is for who has looked
 /// at it.
 void* Parser::allocate_from_reserve(std::size_t size, std::size_t alignment) {
+    open_reserve();
+    return arena_.allocate(size, alignment);
+}
+
+void Parser::open_reserve() {
     arena_.open_reserve();
     for (std::uint32_t i = at_ + 1; i < count_; ++i)
         tokens_[i] = Token(TokenKind::unknown, tokens_[i].offset(), tokens_[i].length());
-    return arena_.allocate(size, alignment);
 }
 
 void Parser::make_room_for_pending() {
@@ -249,6 +253,10 @@ Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments argume
         !holds(*expected_, diagnostics_.back())) {
         stopped_at_ = at_;
         move_to_end();
+    }
+    if (!may_have(diagnostics_.size(), options_) && !arena_.full()) {
+        arena_.refuse();
+        open_reserve();
     }
     if (presumed_body_)
         ask_presumed_body();

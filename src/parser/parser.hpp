@@ -169,6 +169,7 @@ private:
     }
     void make_room_for_pending();
     void* allocate_from_reserve(std::size_t size, std::size_t alignment);
+    void open_reserve();
     template<class T>
     T* make() {
         T* node = create<T>();

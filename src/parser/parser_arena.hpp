@@ -1,12 +1,18 @@
 #pragma once
 
 #include <iecfront/ast/arena.hpp>
+#include <iecfront/ast/syntax_tree.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 namespace iecfront {
+
+/// True when a unit can have so many findings, if it takes no more memory.
+[[nodiscard]] inline bool may_have(std::size_t findings, const ParseOptions& options) noexcept {
+    return findings <= options.maximum_unit_memory / ParseOptions::memory_of_finding;
+}
 
 /// Where the parser makes the nodes of a unit, before it is known how much memory they take. When
 /// there is no more room, the parser goes to the end of the unit, which is then read again with
@@ -25,6 +31,7 @@ public:
     void clear() noexcept {
         rewind(0);
         full_ = false;
+        refused_ = false;
         reserve_ = 0;
         hold_back(reserve_of_unit);
     }
@@ -36,6 +43,9 @@ public:
     }
     /// True when more was asked for than there was: what was made is of no use.
     [[nodiscard]] bool full() const noexcept { return full_; }
+    /// True when more room would not help either.
+    [[nodiscard]] bool refused() const noexcept { return refused_; }
+    void refuse() noexcept { refused_ = true; }
 
     void enter_level() noexcept { hold_back(reserve_of_level); }
     void leave_level() noexcept {
@@ -63,6 +73,7 @@ private:
 
     std::size_t reserve_ = 0; // at the end of the block
     bool full_ = false;
+    bool refused_ = false;
 };
 
 } // namespace iecfront

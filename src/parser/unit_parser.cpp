@@ -42,6 +42,14 @@ constexpr std::size_t usual_scratch = 8 * 1024;
     return character < U' ' || character == U'\x7F';
 }
 
+[[nodiscard]] bool is_about_long_identifier(const Diagnostic& diagnostic) noexcept {
+    return diagnostic.id == DiagnosticId::identifier_too_long;
+}
+
+[[nodiscard]] std::size_t memory_of_findings(const Unit::Parts& parts) noexcept {
+    return parts.diagnostics.size() * ParseOptions::memory_of_finding;
+}
+
 /// The first one of a unit speaks for all.
 void report_long_identifier(std::span<const Token> tokens, std::uint32_t limit,
                             std::vector<Diagnostic>& diagnostics) {
@@ -239,19 +247,23 @@ std::shared_ptr<const Unit> UnitReader::parse() {
 /// False when it takes more memory than is allowed: this depends on the unit alone, and not on how
 /// much room there is at first.
 bool UnitReader::parse_into(Unit::Parts& parts) {
-    const std::size_t maximum = options_.maximum_unit_memory;
-    if (tokens().size_bytes() + sizeof(Token) + trivia().size_bytes() > maximum)
+    const std::size_t least = tokens().size_bytes() + sizeof(Token) + trivia().size_bytes();
+    if (least + memory_of_findings(parts) > options_.maximum_unit_memory)
         return false;
     if (parse_in_shared_room(parts)) {
-        if (shared_room_.used() > maximum)
+        if (!is_allowed(shared_room_, parts))
             return false;
         parts.arena = shared_room_.split();
         return true;
     }
-    if (!parse_in_own_room(parts) || own_room_.used() > maximum)
+    if (!parse_in_own_room(parts) || !is_allowed(own_room_, parts))
         return false;
     move_out(parts);
     return true;
+}
+
+bool UnitReader::is_allowed(const ParserArena& room, const Unit::Parts& parts) const noexcept {
+    return room.used() + memory_of_findings(parts) <= options_.maximum_unit_memory;
 }
 
 /// False when there is no block for it, or not enough room in it. What is lost of a block is less
@@ -280,7 +292,7 @@ bool UnitReader::parse_in_own_room(Unit::Parts& parts) {
         own_room_ = ParserArena(usual_room());
     while (!parse_in(own_room_, parts)) {
         const std::size_t capacity = own_room_.capacity();
-        if (capacity >= most_room())
+        if (capacity >= most_room() || own_room_.refused())
             return false;
         own_room_ = ParserArena(); // first, so that both are not there at once
         own_room_ = ParserArena(std::min(2 * capacity, most_room()));
@@ -312,7 +324,8 @@ bool UnitReader::parse_in(ParserArena& room, Unit::Parts& parts) {
     room.clear();
     const std::span<Token> tokens = copy_tokens(room);
     const std::span<const Trivia> trivia = copy_trivia(room);
-    std::vector<Diagnostic> lexical = parts.diagnostics;
+    std::vector<Diagnostic>& lexical = parts.diagnostics;
+    std::erase_if(lexical, is_about_long_identifier); // reported when there was not enough room
     if (lengths_ > options_.maximum_identifier_length)
         report_long_identifier(tokens, options_.maximum_identifier_length, lexical);
     sort_by_place(lexical);
@@ -321,7 +334,6 @@ bool UnitReader::parse_in(ParserArena& room, Unit::Parts& parts) {
     if (!reading)
         return false;
     std::ranges::move(reading->reports, std::back_inserter(lexical));
-    parts.diagnostics = std::move(lexical);
     parts.tokens = tokens.first(tokens.size() - 1);
     parts.trivia = trivia;
     parts.root = reading->root;

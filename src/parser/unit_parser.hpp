@@ -72,6 +72,7 @@ private:
     [[nodiscard]] std::uint32_t end_of_cut() const noexcept;
     void take_text(Unit::Parts& parts) const;
     [[nodiscard]] bool parse_into(Unit::Parts& parts);
+    [[nodiscard]] bool is_allowed(const ParserArena& room, const Unit::Parts& parts) const noexcept;
     [[nodiscard]] bool parse_in_shared_room(Unit::Parts& parts);
     [[nodiscard]] bool parse_in_own_room(Unit::Parts& parts);
     [[nodiscard]] std::size_t usual_room() const noexcept;

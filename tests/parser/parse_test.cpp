@@ -117,6 +117,23 @@ TEST(Parse, RefusesAUnitWhateverFollows) {
     }
 }
 
+// What is read is not kept for the sake of findings alone, and no memory is taken for more of them.
+TEST(Parse, RefusesAUnitForItsFindings) {
+    ParseOptions options;
+    options.maximum_unit_memory = 100'000;
+    const std::size_t most = options.maximum_unit_memory / ParseOptions::memory_of_finding;
+    for (const std::string fault : {"x := ;\n", "x := %;\n", "IF THEN ; END_IF;\n", "LD a b\n"}) {
+        for (const std::size_t count : {most / 10, 2 * most, 100 * most}) {
+            const SyntaxTree tree =
+                parse(SourceText("PROGRAM p\n" + repeated(fault, count) + "END_PROGRAM"), options);
+            const Unit& unit = *tree.slots().front().unit;
+            EXPECT_EQ(unit.diagnostics().front().id == DiagnosticId::unit_too_large, count > most)
+                << fault << count;
+            EXPECT_LE(unit.diagnostics().size(), most);
+        }
+    }
+}
+
 TEST(Parse, KeepsErrorsOfOneUnitFromAnother) {
     const std::string good =
         "FUNCTION g : INT\nVAR_INPUT a : INT; END_VAR\ng := a;\nEND_FUNCTION\n";
@@ -236,7 +253,8 @@ TEST(Parse, RefusesAUnitForItsOwnSizeOnly) {
     const std::uint32_t alone = least_memory(SourceText(unit));
     EXPECT_EQ(least_memory(SourceText(large + unit)), alone);
     const std::string correct = head + "VAR\nb : INT;\nEND_VAR\n" + statements + end;
-    EXPECT_EQ(alone, least_memory(SourceText(correct)) + sizeof(Token));
+    EXPECT_EQ(alone,
+              least_memory(SourceText(correct)) + sizeof(Token) + ParseOptions::memory_of_finding);
 }
 
 TEST(Parse, KeepsTheEncodingOfATextThatIsTooLarge) {

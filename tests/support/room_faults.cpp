@@ -58,10 +58,12 @@ struct UnitText {
 } // namespace
 
 std::string room_fault(const SourceText& source, const ParseOptions& options, std::size_t sizes) {
-    UnitReader reader(source.buffer(), source.encoding(), true, options);
+    ParseOptions unlimited = options; // by anything but the room
+    unlimited.maximum_unit_memory = ParseOptions().maximum_unit_memory;
+    UnitReader reader(source.buffer(), source.encoding(), true, unlimited);
     std::string fault;
     while (fault.empty() && reader.next())
-        fault = room_fault(unit_at(reader, source.bytes()), options, sizes);
+        fault = room_fault(unit_at(reader, source.bytes()), unlimited, sizes);
     return fault;
 }
 

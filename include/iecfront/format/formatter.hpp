@@ -27,7 +27,7 @@ struct FormatOptions {
     /// Columns that a line has room for; above `longest_line` it counts as that. What has no place
     /// to be broken at goes beyond it, and comments are never broken. Nothing is moved to the right
     /// beyond it, neither the beginning of a line nor what is aligned with the lines around: so
-    /// the length of the result is bounded by that of the text times this.
+    /// each byte of the text gives hardly more than so many.
     std::uint32_t line_length = 100;
 };
 
