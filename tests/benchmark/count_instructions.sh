@@ -4,7 +4,8 @@
 #
 #     count_instructions.sh WORK figures         prints instructions per byte of source of each step
 #     count_instructions.sh WORK check           compares these with instructions.txt
-#     count_instructions.sh WORK growth [SHAPE]  compares texts of SMALL and LARGE bytes of each shape
+#     count_instructions.sh WORK growth [SHAPE]  compares texts of SMALL and LARGE bytes of each shape,
+#                                                in what STEP (parse) takes
 #     count_instructions.sh WORK edits           compares key strokes in texts of 1 and of 4 MB
 #
 # WORK is the program iecfront_work of a Release build. `check` counts only with the compiler that
@@ -18,6 +19,7 @@ tolerance=5         # percent, of `check`
 growth_tolerance=15 # percent, of `growth` and `edits`
 SMALL=${SMALL:-25000}
 LARGE=${LARGE:-250000}
+STEP=${STEP:-parse}
 
 # Instructions of one run: WORK STEP TEXT SIZE.
 count() {
@@ -65,8 +67,8 @@ check() {
 
 # One line: growth in percent of what a byte costs, the shape, and what a byte costs in either size.
 growth_of() {
-    small=$(count parse "$1" "$SMALL")
-    large=$(count parse "$1" "$LARGE")
+    small=$(count "$STEP" "$1" "$SMALL")
+    large=$(count "$STEP" "$1" "$LARGE")
     awk -v shape="$1" -v none="$none" -v small="$small" -v large="$large" \
         -v small_size="$SMALL" -v large_size="$LARGE" '
         BEGIN {
@@ -80,7 +82,7 @@ growth_of() {
 growth() {
     [ $# -gt 0 ] || set -- $("$work" shapes)
     none=$(count text blanks 1)
-    export none SMALL LARGE
+    export none SMALL LARGE STEP
     printf '%s\n' "$@" | xargs -n 1 -P "$(nproc)" "$0" "$work" growth_of |
         sort -rn | awk -v tolerance=$growth_tolerance '
             { print }

@@ -10,7 +10,10 @@
 #include "benchmark/shapes.hpp"
 #include "parser/unit_parser.hpp"
 
+#include <iecfront/diagnostics/render_json.hpp>
 #include <iecfront/diagnostics/render_text.hpp>
+#include <iecfront/format/formatter.hpp>
+#include <iecfront/format/writer.hpp>
 #include <iecfront/parser/parse.hpp>
 
 #include <algorithm>
@@ -19,6 +22,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace iecfront::bench {
 namespace {
@@ -49,6 +53,15 @@ namespace {
     return sum;
 }
 
+[[nodiscard]] std::size_t size_as_json(const std::vector<Diagnostic>& diagnostics,
+                                       const SourceText& source) {
+    const LineTable lines(source.bytes(), source.encoding());
+    std::string out;
+    for (const Diagnostic& diagnostic : diagnostics)
+        render_json(out, diagnostic, Severity::error, source, lines);
+    return out.size();
+}
+
 /// A number that depends on all that was done.
 [[nodiscard]] std::size_t do_step(std::string_view step, const SourceText& source) {
     if (step == "text")
@@ -64,6 +77,12 @@ namespace {
         return count_stored_nodes(tree);
     if (step == "edit")
         return edit_everywhere(tree);
+    if (step == "format")
+        return format(tree).size();
+    if (step == "write")
+        return write(tree).text.size();
+    if (step == "json")
+        return size_as_json(tree.diagnostics(), source);
     return render_text(tree.diagnostics(), source).size(); // report
 }
 
@@ -96,8 +115,9 @@ int main(int count, char** arguments) {
         list_shapes();
         return 0;
     }
-    std::fputs("usage: iecfront_work text|lex_cut|parse|walk|nodes|edit|report TEXT SIZE\n"
-               "       iecfront_work shapes\n",
+    std::fputs("usage: iecfront_work STEP TEXT SIZE\n"
+               "       iecfront_work shapes\n"
+               "steps: text lex_cut parse walk nodes edit report json format write\n",
                stderr);
     return 2;
 }
