@@ -1,7 +1,6 @@
 #include "cli/platform.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <system_error>
 
 #ifdef _WIN32
@@ -68,8 +67,10 @@ void copy_owner(const std::filesystem::path& like, const std::filesystem::path& 
     static_cast<void>(file);
 #else
     struct stat status = {};
-    if (stat(like.c_str(), &status) == 0 && chown(file.c_str(), status.st_uid, status.st_gid) != 0)
-        errno = 0; // it stays the user's, as if the user had made it
+    if (stat(like.c_str(), &status) != 0)
+        return;
+    // If it may not be given away, it stays the user's, as if the user had made it.
+    [[maybe_unused]] const int failed = chown(file.c_str(), status.st_uid, status.st_gid);
 #endif
 }
 

@@ -172,9 +172,10 @@ void align_all_rows(std::span<const Line> lines, std::uint32_t line_length) {
     std::uint32_t end = 0;
     std::uint32_t end_of_short = 0;
     for (const Line line : lines) {
-        end = std::max(end, end_of_code(line));
-        if (end_of_code(line) <= line_length)
-            end_of_short = std::max(end_of_short, end_of_code(line));
+        const std::uint32_t here = end_of_code(line);
+        end = std::max(end, here);
+        if (here <= line_length)
+            end_of_short = std::max(end_of_short, here);
     }
     const std::uint32_t column = comment_behind(lines.front())->source_column;
     const bool same = std::ranges::all_of(

@@ -30,9 +30,8 @@ struct Piece {
     /// In columns. Of a piece of several lines that of the last one, without the white space before
     /// it until `break_lines` has found a place for it.
     std::uint32_t width = 0;
-    std::string_view
-        line_before; ///< of a piece of several lines, what stands before it in its line
-    std::uint32_t first_column = 0; ///< and its column there
+    std::string_view line_before;   ///< in the source, of a piece of several lines
+    std::uint32_t first_column = 0; ///< behind that, in the source
     bool tab_before = false;        ///< a tab stands in `line_before`
     bool blanks_before = false;     ///< nothing but white space does
     std::int32_t level = 0;         ///< the column of a line that begins with it

@@ -132,14 +132,14 @@ bool Parser::expect_missing(TokenKind expected) {
 
 // ---- nodes --------------------------------------------------------------------------------------
 
-/// There is no more room: takes from the reserve. All that follows is unknown, so that the next
-/// step leads to the end of the unit, while the current token stays what it is for who has looked
-/// at it.
+/// There is no more room: takes from the reserve.
 void* Parser::allocate_from_reserve(std::size_t size, std::size_t alignment) {
     open_reserve();
     return arena_.allocate(size, alignment);
 }
 
+/// Gives the unit up. All that follows is unknown, so that the next step leads to its end, while
+/// the current token stays what it is for who has looked at it.
 void Parser::open_reserve() {
     arena_.open_reserve();
     for (std::uint32_t i = at_ + 1; i < count_; ++i)
@@ -254,7 +254,8 @@ Parser::Report Parser::report(DiagnosticId id, TextRange range, Arguments argume
         stopped_at_ = at_;
         move_to_end();
     }
-    if (!may_have(diagnostics_.size(), options_) && !arena_.full()) {
+    if (diagnostics_.size() > options_.maximum_unit_memory / ParseOptions::memory_of_finding &&
+        !arena_.full()) {
         arena_.refuse();
         open_reserve();
     }

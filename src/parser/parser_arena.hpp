@@ -1,18 +1,12 @@
 #pragma once
 
 #include <iecfront/ast/arena.hpp>
-#include <iecfront/ast/syntax_tree.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 namespace iecfront {
-
-/// True when a unit can have so many findings, if it takes no more memory.
-[[nodiscard]] inline bool may_have(std::size_t findings, const ParseOptions& options) noexcept {
-    return findings <= options.maximum_unit_memory / ParseOptions::memory_of_finding;
-}
 
 /// Where the parser makes the nodes of a unit, before it is known how much memory they take. When
 /// there is no more room, the parser goes to the end of the unit, which is then read again with
@@ -43,7 +37,7 @@ public:
     }
     /// True when more was asked for than there was: what was made is of no use.
     [[nodiscard]] bool full() const noexcept { return full_; }
-    /// True when more room would not help either.
+    /// True when more room would not help either: the unit has too many findings.
     [[nodiscard]] bool refused() const noexcept { return refused_; }
     void refuse() noexcept { refused_ = true; }
 

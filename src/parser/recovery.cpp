@@ -127,11 +127,10 @@ bool Parser::at_misspelt_closer() const noexcept {
     static constexpr TokenSet after_name{
         TokenKind::colon,        TokenKind::assign,           TokenKind::dot,
         TokenKind::left_bracket, TokenKind::left_parenthesis, TokenKind::caret};
-    static constexpr TokenSet behind_names = after_name | TokenSet{TokenKind::comma};
     static constexpr TokenSet in_declaration{TokenKind::colon, TokenKind::comma}; // on any line
     const Token behind = tokens_[next(at_)];
     if (in_declaration.contains(behind.kind()) ||
-        (behind_names.contains(behind.kind()) && !behind.first_on_line()))
+        (after_name.contains(behind.kind()) && !behind.first_on_line()))
         return false;
     const std::string_view closer = spelling(open_.back().closer);
     if (at_split_word(closer))

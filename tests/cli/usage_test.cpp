@@ -7,6 +7,24 @@ namespace {
 
 using Usage = CommandTest;
 
+TEST_F(Usage, EachCommandThatReadsTextTakesItsLimits) {
+    const std::string text = "PROGRAM   p\n;   END_PROGRAM\n";
+    write("p.st", text);
+    for (const std::string option : {"--max-source-size", "--max-unit-memory"}) {
+        EXPECT_EQ(run({"format", option, "20", "p.st"}).out, text) << option;
+        EXPECT_NE(run({"format", option, "1000", "p.st"}).out, text) << option;
+        for (const std::string command : {"tokens", "ast"}) {
+            const auto finds_program = [&](const std::string& limit) {
+                const std::string out = run({command, option, limit, "p.st"}).out;
+                return out.find("kw_program \"") != std::string::npos ||
+                       out.find("program_declaration") != std::string::npos;
+            };
+            EXPECT_FALSE(finds_program("20")) << command << option;
+            EXPECT_TRUE(finds_program("1000")) << command << option;
+        }
+    }
+}
+
 constexpr std::array<std::string_view, 4> all_commands = {"check", "tokens", "ast", "explain"};
 
 struct WrongUsage {
