@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace iecfront::bench {
@@ -43,6 +44,16 @@ TEST(Memory, TreeOfALargeTextTakesAFewTimesItsSize) {
         const auto bytes = static_cast<double>(text.size());
         EXPECT_LE(memory.live, 3.5 * bytes) << size;
         EXPECT_LE(memory.peak + bytes, 5 * bytes) << size;
+    }
+}
+
+// What docs/security.md says of texts in which each byte is a fault.
+TEST(Memory, FaultsTakeABoundedMultipleOfTheText) {
+    for (const std::string_view fault : {"%", "#", ",", ":", "\xE4", "; :="}) {
+        std::string text = "PROGRAM p x := ";
+        while (text.size() < 265'000) // a little more than a power of two
+            text += fault;
+        EXPECT_LE(memory_of_tree(text).peak, 460.0 * static_cast<double>(text.size())) << fault;
     }
 }
 

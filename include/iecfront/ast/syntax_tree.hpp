@@ -42,13 +42,13 @@ struct ParseOptions {
     std::uint32_t maximum_diagnostics = 100'000;
     /// How many bytes a text can have. A larger one is kept but not examined, and reported
     /// (`source-too-large`; Annex D, 2.5.3). Bounds the time that parsing needs, and the
-    /// memory: some 4 bytes for each byte of source, and up to some 250 where each is a fault.
+    /// memory: some 4 bytes for each byte of source, and up to some 450 where each is a fault.
     std::uint32_t maximum_source_size = 1U << 28U;
 
     /// How many bytes the tokens, comments, nodes and findings of a unit can take; a finding counts
     /// as `memory_of_finding`. A larger unit is kept but not examined, and reported
     /// (`unit-too-large`; Annex D, 2.5.1). Bounds what a unit takes, whatever stands in the text;
-    /// while it is read, it can be three times as much.
+    /// while it is read, it can be twice as much, and what the lexer finds wrong besides.
     std::uint32_t maximum_unit_memory = 1U << 31U;
     /// What most findings take, with their arguments and fixes, in bytes.
     static constexpr std::uint32_t memory_of_finding = 256;
